@@ -1,0 +1,1 @@
+# Pages are built by npm and esbuild at configure time and embedded; see src/report.

@@ -1,0 +1,39 @@
+/// \file
+/// Scenes from files.
+#pragma once
+
+#include <carom/error.hpp>
+#include <carom/scene.hpp>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carom {
+
+struct ReadOptions {
+    bool allow_overlap = false;  ///< let spheres overlap each other and planes at the start
+};
+
+/// Read, expand and validate a scene file (format carom-scene/1).
+/// \throws InputError with every problem found: "FILE: JSON-POINTER: what is wrong (the cure)"; syntax: "FILE:LINE:COL: ...".
+Scene read_scene(const std::filesystem::path& file, const ReadOptions& options = {});
+
+/// The same for text in memory; `file` is used in messages only.
+Scene parse_scene(std::string_view text, const std::string& file, const ReadOptions& options = {});
+
+struct CatalogueEntry {
+    std::string name;             ///< what users type: the file's stem
+    std::filesystem::path path;
+    std::string title, description;
+};
+
+/// Scenes under `root` (recursively, *.json but not the schema), sorted by name. Unreadable files are left out.
+std::vector<CatalogueEntry> list_scenes(const std::filesystem::path& root);
+
+/// `what` as a path if such a file exists, otherwise the catalogue scene of that name under `root`.
+/// \throws InputError with the nearest catalogue names.
+std::filesystem::path find_scene(const std::string& what, const std::filesystem::path& root);
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+/// \file
+/// The methods that can run a scene, as values: options are named, a method is one alternative of a variant.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace carom {
+
+/// How candidate pairs are found. `automatic` takes all pairs for few spheres and a cell grid for many.
+/// Results do not depend on it, bit for bit; only the cost does.
+enum class BroadPhase : std::uint8_t { automatic, all_pairs, cell_grid };
+
+/// Exact in time: the next contact is a root, not a step.
+struct EventDriven {
+    BroadPhase broad_phase = BroadPhase::automatic;
+};
+
+/// In which order a discrete method visits the contacts of one pass.
+enum class ContactOrder : std::uint8_t { index, reverse, random, deepest };
+
+/// What all discrete methods take. Semi-implicit Euler: v += h g, then p += h v, with h = dt / substeps.
+struct StepOptions {
+    double dt = 1.0 / 240;  ///< > 0 [time]; the last step is shortened to end the run on time
+    int substeps = 1;       ///< >= 1, steps of dt/substeps each
+    int passes = 1;         ///< >= 1, how often the contact phases are repeated in a substep
+    ContactOrder order = ContactOrder::index;
+    bool literal = false;   ///< pbd only: the handout's unconditional response (also when separating), once a substep
+    std::uint64_t seed = 1; ///< for ContactOrder::random
+};
+
+/// Position based: move, then respond and project overlaps (handout; Mueller et al. 2007 for the name).
+struct PositionBased : StepOptions {
+    bool mass_weighted = false;  ///< share a projection by inverse mass instead of half and half
+};
+/// Velocity based: respond on gaps at the start of the step, cancel velocities that would deepen an overlap, then move.
+struct VelocityBased : StepOptions {};
+/// Step, and when an overlap appears go back to the first contact by bisection, respond there, go on (handout).
+struct Bisection : StepOptions {};
+/// Response on velocity alone, no approach test, no correction: sinks and sticks. The handout's warning, a positive control.
+struct Naive : StepOptions {};
+
+using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive>;
+
+/// "event", "pbd", "velocity", "bisection", "naive".
+std::string_view name(const Method& method);
+/// All method names, in the order of the variant.
+const std::vector<std::string>& method_names();
+/// The method called `name`; discrete ones with these options. \throws InputError naming the known methods.
+Method make_method(std::string_view name, const StepOptions& options = {});
+/// Step options of a discrete method, nullptr for the event-driven one.
+const StepOptions* step_options(const Method& method);
+/// "index", "reverse", "random", "deepest". \throws InputError
+ContactOrder contact_order(std::string_view name);
+std::string_view name(ContactOrder order);
+
+}  // namespace carom

@@ -1,0 +1,134 @@
+/// \file
+/// A scene as plain data: what the files in `scenes/` say, with every fill and box expanded. Nothing here computes.
+#pragma once
+
+#include <carom/types.hpp>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace carom {
+
+/// How one material answers an impact. Of two materials in contact the smaller value holds, unless a ContactRule says otherwise.
+struct Material {
+    std::string name;
+    double restitution = 1;  ///< e (handout: beta), in [0, 1]: v_n+ = -e v_n
+    double tangential = 1;   ///< alpha, in [0, 1]: v_t+ = alpha v_t; acts at planes
+    std::string color;       ///< CSS colour, may be empty
+};
+
+/// Override for contacts between two materials.
+struct ContactRule {
+    int a = 0, b = 0;                   ///< indices into Scene::materials
+    std::optional<double> restitution;  ///< [0, 1]
+    std::optional<double> tangential;   ///< [0, 1]; between spheres it acts only when given here
+    std::optional<double> attenuation;  ///< [0, 1], sphere-sphere only: both velocities are multiplied by it after the exchange
+};
+
+/// The coefficients that hold for one contact, see `contact_law`.
+struct ContactLaw {
+    double restitution = 1;  ///< e
+    double tangential = 1;   ///< alpha
+    double attenuation = 1;  ///< handout's damping; not Galilean invariant
+};
+
+struct Sphere {
+    std::string id;
+    double radius = 0;               ///< > 0 [length]
+    double mass = 1;                 ///< > 0 [mass]
+    Vec3 position = Vec3::Zero();    ///< centre, relative to Scene::origin [length]
+    Vec3 velocity = Vec3::Zero();    ///< [length/time]
+    int material = 0;                ///< index into Scene::materials
+    std::string color;               ///< CSS colour; empty: that of the material
+};
+
+/// Without thickness: a half-space wall, free side normal.x >= offset, gap = normal.x - offset - r.
+/// With thickness: a two-sided plate, gap = |normal.x - offset| - thickness/2 - r.
+struct Plane {
+    std::string id;
+    Vec3 normal = Vec3::UnitZ();      ///< unit length to rounding
+    double offset = 0;                ///< [length], relative to Scene::origin
+    std::optional<double> thickness;  ///< >= 0 [length]; present: a plate
+    int material = 0;                 ///< index into Scene::materials
+};
+
+enum class RestPolicy : std::uint8_t { contact };
+
+/// When and how spheres come to rest. Unset values take the defaults of `rest_thresholds`.
+struct RestOptions {
+    RestPolicy policy = RestPolicy::contact;
+    std::optional<double> closing_speed;  ///< v_c [length/time]
+    std::optional<double> window;         ///< tau_p [time]
+    std::optional<double> numeric_step;   ///< h [time]
+    std::optional<double> gap_tolerance;  ///< g_tol [length]
+    double series_below = 1e-3;           ///< bounces lower than this fraction of the radius are summed in closed form
+};
+
+/// One line of a scene's `checks`: what a correct event run of the scene must show.
+struct Check {
+    std::string type;                ///< no_overlap, energy, momentum, inside, event_time, event_count, rest_time, final_position, final_velocity
+    std::optional<double> rel, abs;  ///< tolerance, at most one of them
+    std::int64_t index = 0;          ///< event_time: 0-based among impacts
+    std::int64_t count = 0;          ///< event_count
+    std::string kind;                ///< event_count: impact, rest, release, guard
+    double time = 0;                 ///< event_time, rest_time: since the start of the run [time]
+    BodyId body = no_body;           ///< rest_time, final_position, final_velocity
+    Vec3 value = Vec3::Zero();       ///< final_position [length], final_velocity [length/time]
+};
+
+/// Default options of a command: its long option names with `_` for `-`. Values are kept as the file wrote them.
+using OptionValue = std::variant<bool, double, std::string, std::vector<std::string>>;
+using CommandDefaults = std::map<std::string, OptionValue>;
+
+struct Units {
+    std::string length, time, mass;  ///< text for titles and axes; may be empty
+};
+
+struct Scene {
+    std::string name, description;
+    Units units;
+    Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
+    double end_time = 0;          ///< > 0, length of the run [time]
+    std::uint64_t seed = 1;       ///< every random choice comes from it
+    std::vector<Material> materials{Material{"default", 1, 1, ""}};
+    std::vector<ContactRule> contacts;
+    RestOptions rest;
+    std::vector<Sphere> spheres;
+    std::vector<Plane> planes;
+    std::vector<Check> checks;
+    CommandDefaults run, compare, tunnel, view;
+
+    /// Id under which events name plane p.
+    BodyId plane_body(std::size_t p) const { return static_cast<BodyId>(spheres.size() + p); }
+    /// Id string of a sphere or plane as events number them.
+    const std::string& body_name(BodyId body) const
+    {
+        const auto n = static_cast<BodyId>(spheres.size());
+        return body < n ? spheres[static_cast<std::size_t>(body)].id : planes[static_cast<std::size_t>(body - n)].id;
+    }
+};
+
+/// Coefficients for contacts between two spheres of these materials: smaller restitution; tangential and attenuation 1 unless a ContactRule gives them.
+ContactLaw sphere_contact_law(const Scene& scene, int material_a, int material_b);
+/// Coefficients for a sphere on a plane: smaller restitution, smaller tangential; attenuation 1.
+ContactLaw plane_contact_law(const Scene& scene, int sphere_material, int plane_material);
+
+/// RestOptions with every default filled in (source: this project; documented with the run).
+struct RestThresholds {
+    double closing_speed;  ///< v_c: slower closings count as rest [length/time]
+    double window;         ///< tau_p: a contact that closed more recently is inelastic [time]
+    double numeric_step;   ///< h: step of numeric clusters, window of the impact-rate bound [time]
+    double gap_tolerance;  ///< g_tol: a contact within it counts as closed when it persists [length]
+};
+RestThresholds rest_thresholds(const Scene& scene);
+
+/// Signed distance from the surface of sphere `s`, centred at `position`, to the surface of plane `p` [length].
+double plane_gap(const Plane& p, const Sphere& s, const Vec3& position);
+
+
+}  // namespace carom
