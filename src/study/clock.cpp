@@ -3,7 +3,8 @@
 #include <chrono>
 #include <ctime>
 
-namespace carom::study {
+namespace carom::study
+{
 
 double thread_cpu_seconds()
 {

@@ -2,7 +2,8 @@
 /// Time spent: by this thread, and on the wall.
 #pragma once
 
-namespace carom::study {
+namespace carom::study
+{
 
 /// CPU time of the calling thread since some moment [s].
 double thread_cpu_seconds();
@@ -10,7 +11,8 @@ double thread_cpu_seconds();
 double wall_seconds();
 
 /// Both clocks, with pauses: what looking at a run costs is not the run's.
-class Stopwatch {
+class Stopwatch
+{
 public:
     Stopwatch() { resume(); }
     void pause();

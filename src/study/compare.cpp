@@ -2,15 +2,18 @@
 #include "reference/reference.hpp"
 #include "study/clock.hpp"
 #include "study/row.hpp"
+#include "study/words.hpp"
 
 #include <carom/study.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace carom {
+namespace carom
+{
 
-namespace {
+namespace
+{
 
 /// Every method with every step, in the order asked for.
 std::vector<Method> methods_to_run(const CompareOptions& options)
@@ -46,12 +49,7 @@ double weight(const Method& method, double until)
 std::string label(const Method& method)
 {
     std::string text(name(method));
-    if (const StepOptions* step = step_options(method)) {
-        const double rate = std::round(1 / step->dt);
-        text += std::abs(rate * step->dt - 1) < 1e-9 && rate > 1
-                    ? " dt 1/" + std::to_string(static_cast<long long>(rate))
-                    : " dt " + std::to_string(step->dt);
-    }
+    if (const StepOptions* step = step_options(method)) text += " dt " + study::step_text(step->dt);
     return text;
 }
 
@@ -78,7 +76,8 @@ ReferenceSummary summary(const Reference& reference, double cpu_seconds)
 }
 
 /// Turns the progress of one row into that of the whole comparison.
-class Progress {
+class Progress
+{
 public:
     Progress(const CompareOptions& options, const std::vector<Method>& methods) : options_(options)
     {

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
-namespace carom::study {
+namespace carom::study
+{
 
-namespace {
+namespace
+{
 
 /// The impact of `body` before number `last` in time order; -1 if there is none.
 std::ptrdiff_t previous_of_body(const std::vector<ReferenceImpact>& impacts, std::ptrdiff_t last, BodyId body)
@@ -19,7 +21,8 @@ std::ptrdiff_t previous_of_body(const std::vector<ReferenceImpact>& impacts, std
     return -1;
 }
 
-/// First of the pair's impacts, at or before the start of `series`, from which on all flights are shorter than `shortest_flight`.
+/// First of the pair's impacts, at or before the start of `series`, from which on all flights are shorter than
+/// `shortest_flight`.
 double tail_start(const Reference& reference, const ReferenceSeries& series, double shortest_flight)
 {
     const auto& impacts = reference.impacts;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom::study {
+namespace carom::study
+{
 
-namespace {
+namespace
+{
 
 bool exempt_at(const PairImpacts& pair, double time)
 {
@@ -19,7 +21,8 @@ struct PairMatch {
 };
 
 /// Whether an own series of the run, closed at `rests[i]`, stands for an impact at `time`.
-bool closed_by_rest(const std::vector<double>& found, const std::vector<double>& rests, const MatchWindow& window, double time)
+bool closed_by_rest(const std::vector<double>& found, const std::vector<double>& rests, const MatchWindow& window,
+                    double time)
 {
     for (const double rest : rests) {
         const auto after = std::upper_bound(found.begin(), found.end(), rest);
@@ -48,7 +51,8 @@ PairMatch match_pair(const PairImpacts& expected, const std::vector<double>& fou
     }
     for (std::size_t i = 0; i < taken.size() && expected.times[i] <= window.horizon; ++i) {
         ++result.expected;
-        if (!taken[i] && !closed_by_rest(found, rests, window, expected.times[i])) result.missed.push_back(expected.times[i]);
+        if (!taken[i] && !closed_by_rest(found, rests, window, expected.times[i]))
+            result.missed.push_back(expected.times[i]);
     }
     return result;
 }

@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom {
+namespace carom
+{
 
 using study::CompensatedSum;
 
@@ -25,7 +26,8 @@ double kinetic_energy(const Scene& scene, std::span<const BodyState> states)
 {
     CAROM_EXPECT(states.size() == scene.spheres.size());
     CompensatedSum sum;
-    for (std::size_t i = 0; i < states.size(); ++i) sum.add(scene.spheres[i].mass * states[i].velocity.squaredNorm() / 2);
+    for (std::size_t i = 0; i < states.size(); ++i)
+        sum.add(scene.spheres[i].mass * states[i].velocity.squaredNorm() / 2);
     return sum.value();
 }
 
@@ -74,7 +76,8 @@ std::int64_t escaped(const Scene& scene, std::span<const BodyState> states)
     return std::count_if(states.begin(), states.end(), outside);
 }
 
-namespace {
+namespace
+{
 
 template <typename Difference>
 Deviation deviation(std::size_t n, Difference difference)

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom {
+namespace carom
+{
 
-namespace {
+namespace
+{
 
 struct Interval {
     double low, high;  // of the sphere on the sweep axis

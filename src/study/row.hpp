@@ -8,15 +8,16 @@
 
 #include <functional>
 
-namespace carom::study {
+namespace carom::study
+{
 
 struct RowTask {
     const Scene& scene;
     const Reference& reference;
     Method method;
     RunOptions run;
-    std::vector<double> sample_times;            ///< the reference's are the first of them [time]
-    std::function<bool(double)> on_progress;     ///< of the recorded run
+    std::vector<double> sample_times;         ///< the reference's are the first of them [time]
+    std::function<bool(double)> on_progress;  ///< of the recorded run
 };
 
 struct RecordedRow {
@@ -31,8 +32,8 @@ struct TimingOptions {
     double budget = 5;  ///< for all repeats together [s]
 };
 
-/// CPU times of unrecorded runs; empty if one alone would take longer than the budget. Short runs are repeated back to back
-/// within one timing until they fill what the clock resolves.
+/// CPU times of unrecorded runs; empty if one alone would take longer than the budget. Short runs are repeated back to
+/// back within one timing until they fill what the clock resolves.
 std::vector<double> time_runs(const RowTask& task, double first_seconds, const TimingOptions& options);
 
 /// Median; of an even number the mean of the middle two. \pre not empty

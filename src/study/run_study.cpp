@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom {
+namespace carom
+{
 
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options)
 {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom::study {
+namespace carom::study
+{
 
 double median(std::vector<double> values)
 {
