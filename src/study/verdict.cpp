@@ -100,19 +100,24 @@ private:
                    name(event_->status) + (event_->message.empty() ? "" : ": " + event_->message) + "), after " + cost +
                    ".";
         if (!error) return "event reached the end in " + cost + ", but there is no reference to measure it by.";
-        std::string text = "event is off by " + length(*error) + " " + when(*event_) + " and takes " + cost;
+        std::string text = "event is off by " + length(*error) + " " + when(*event_);
+        if (*error <= comparison_.reference.bound)
+            text += " (within what the reference knows, " + length(comparison_.reference.bound) + ")";
+        text += " and takes " + cost;
         if (event_->missed_impacts > 0)
             text += ", but it misses " + std::to_string(event_->missed_impacts) + " of " +
                     std::to_string(event_->reference_impacts) + " impacts";
         if (*error > comparison_.tolerance)
-            text = "No method is right to " + tolerance() + " by default: " + text;
+            text = "The event method is not within " + tolerance() + ": " + text;
         else if (event_->missed_impacts == 0)
             text = "The event method is right: " + text;
-        if (*error <= comparison_.reference.bound)
-            text += " (within what the reference knows, " + length(comparison_.reference.bound) + ")";
-        if (best != nullptr)
-            text += "; the best stepper, " + best->method + " at dt = " + step_text(*best->dt) + ", is off by " +
-                    length(*verdict_error(*best));
+        if (best != nullptr) {
+            const double other = *verdict_error(*best);
+            const bool resolved = comparison_.reference.bound < *error;
+            const bool closer = resolved && other < *error;
+            text += "; the best stepper, " + best->method + " at dt = " + setting(*best) + ", is off by " +
+                    length(other) + (closer ? ", which is less" : "");
+        }
         return text + ".";
     }
 
