@@ -71,7 +71,7 @@ struct ImpactMismatch {
 /// What the page draws of a row, at the sample times up to the end of the row's run.
 struct RowSeries {
     std::vector<double>
-        energy_error;  ///< |E-E_ref| / max kinetic energy of the reference; as far as the reference goes
+        energy_error;  ///< (E-E_ref) / max kinetic energy of the reference; as far as the reference goes
     std::vector<double> position_max;  ///< [length]; as far as the reference goes
     std::vector<double> penetration;   ///< of the sampled state [length]
     std::vector<double> energy;        ///< total energy [mass length^2/time^2]

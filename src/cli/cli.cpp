@@ -3,6 +3,7 @@
 #include "cli/exit_codes.hpp"
 
 #include <carom/error.hpp>
+#include <carom/io.hpp>
 
 #include <unistd.h>
 
@@ -47,6 +48,14 @@ std::filesystem::path scene_folder()
 {
     const char* folder = std::getenv("CAROM_SCENES");
     return folder != nullptr && *folder != '\0' ? folder : CAROM_SCENE_DIR;
+}
+
+Scene read_with_options(const std::filesystem::path& file, bool allow_overlap, const GlobalArguments& global)
+{
+    ReadOptions options;
+    options.allow_overlap = allow_overlap;
+    options.seed = global.seed;
+    return read_scene(file, options);
 }
 
 int run_cli(const std::vector<std::string>& args, const Console& console)

@@ -5,6 +5,8 @@
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 
+#include <carom/scene.hpp>
+
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@ int do_scenes(const ScenesArguments& args, const GlobalArguments& global, const 
 
 /// Folder of the catalogue: the environment's CAROM_SCENES, else that of the build.
 std::filesystem::path scene_folder();
+
+/// The scene in `file` with the seed of the command line, if it gives one. \throws InputError
+Scene read_with_options(const std::filesystem::path& file, bool allow_overlap, const GlobalArguments& global);
 
 /// Everything but the process: errors become messages on `console.err` and exit codes.
 /// \param args without the program's name

@@ -18,8 +18,7 @@ namespace carom::cli
 int do_compare(const CompareArguments& args, const GlobalArguments& global, const Console& console)
 {
     const std::filesystem::path file = find_scene(args.scene, scene_folder());
-    Scene scene = read_scene(file, {.allow_overlap = args.allow_overlap});
-    if (global.seed) scene.seed = *global.seed;
+    const Scene scene = read_with_options(file, args.allow_overlap, global);
     CompareOptions options = compare_settings(args, global, scene, file.string());
     const std::filesystem::path folder = args.out.empty()
                                              ? std::filesystem::path("out") / ("compare-" + file.stem().string())

@@ -36,7 +36,7 @@ std::string folder_data(const std::filesystem::path& folder)
 
 void write_page(const std::filesystem::path& file, const std::vector<std::string>& comparisons)
 {
-    write_file(file, report::comparison_page(report::page_data(comparisons, std::string("carom ") + CAROM_VERSION)));
+    write_file(file, comparison_page(report::page_data(comparisons, std::string("carom ") + CAROM_VERSION)));
 }
 
 int do_report(const ReportArguments& args, const GlobalArguments& global, const Console& console)

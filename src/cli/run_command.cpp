@@ -70,8 +70,7 @@ void explain_settings(const Scene& scene, const std::filesystem::path& file, con
 int do_run(const RunArguments& args, const GlobalArguments& global, const Console& console)
 {
     const std::filesystem::path file = find_scene(args.scene, scene_folder());
-    Scene scene = read_scene(file, {.allow_overlap = args.allow_overlap});
-    if (global.seed) scene.seed = *global.seed;
+    const Scene scene = read_with_options(file, args.allow_overlap, global);
     const RunSettings settings = run_settings(args, global, scene, file.string());
     if (global.verbose) explain_settings(scene, file, settings, console);
 

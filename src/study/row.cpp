@@ -97,8 +97,8 @@ void Recorder::compare(std::size_t k, double time, std::span<const BodyState> st
     position_squares_.add(position.rms * position.rms);
     velocity_squares_.add(velocity.rms * velocity.rms);
     keep_largest(position_max_, position.max);
-    const double energy = std::abs(energy_difference(task_.scene, states, truth)) / reference_kinetic_;
-    keep_largest(energy_max_, energy);
+    const double energy = energy_difference(task_.scene, states, truth) / reference_kinetic_;
+    keep_largest(energy_max_, std::abs(energy));
     series_.position_max.push_back(position.max);
     series_.energy_error.push_back(energy);
     if (!divergence_time_ && !(position.max <= divergence_threshold(task_.scene))) divergence_time_ = time;
