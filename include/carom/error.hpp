@@ -1,15 +1,17 @@
 /// \file
-/// The one exception type of carom. It is thrown at the border only, by readers and by validation: bad input with its place
-/// and its cure. Numerical outcomes are statuses in results, never exceptions.
+/// The one exception type of carom. It is thrown at the border only, by readers and by validation: bad input with its
+/// place and its cure. Numerical outcomes are statuses in results, never exceptions.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace carom {
+namespace carom
+{
 
-class InputError : public std::runtime_error {
+class InputError : public std::runtime_error
+{
 public:
     /// \param problems one line each: "FILE: JSON-POINTER: what is wrong (the cure)"; not empty.
     explicit InputError(std::vector<std::string> problems);

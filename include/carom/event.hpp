@@ -4,7 +4,8 @@
 
 #include <carom/types.hpp>
 
-namespace carom {
+namespace carom
+{
 
 /// Values are part of `event_hash`; never renumber.
 enum class EventKind : std::uint8_t {
@@ -23,7 +24,8 @@ struct Event {
     BodyId a = no_body;          ///< the sphere; of two spheres the smaller id
     BodyId b = no_body;          ///< the other sphere, or Scene::plane_body(p)
     Vec3 normal = Vec3::Zero();  ///< unit, from b to a
-    Vec3 impulse = Vec3::Zero(); ///< on a; -impulse acts on b [mass length/time]. A rest carries the summed impulse of its series
+    Vec3 impulse =
+        Vec3::Zero();  ///< on a; -impulse acts on b [mass length/time]. A rest carries the summed impulse of its series
 };
 
 }  // namespace carom

@@ -10,21 +10,23 @@
 #include <string_view>
 #include <vector>
 
-namespace carom {
+namespace carom
+{
 
 struct ReadOptions {
     bool allow_overlap = false;  ///< let spheres overlap each other and planes at the start
 };
 
 /// Read, expand and validate a scene file (format carom-scene/1).
-/// \throws InputError with every problem found: "FILE: JSON-POINTER: what is wrong (the cure)"; syntax: "FILE:LINE:COL: ...".
+/// \throws InputError with every problem found: "FILE: JSON-POINTER: what is wrong (the cure)"; syntax: "FILE:LINE:COL:
+/// ...".
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// The same for text in memory; `file` is used in messages only.
 Scene parse_scene(std::string_view text, const std::string& file, const ReadOptions& options = {});
 
 struct CatalogueEntry {
-    std::string name;             ///< what users type: the file's stem
+    std::string name;  ///< what users type: the file's stem
     std::filesystem::path path;
     std::string title, description;
 };

@@ -8,7 +8,8 @@
 #include <variant>
 #include <vector>
 
-namespace carom {
+namespace carom
+{
 
 /// How candidate pairs are found. `automatic` takes all pairs for few spheres and a cell grid for many.
 /// Results do not depend on it, bit for bit; only the cost does.
@@ -28,8 +29,8 @@ struct StepOptions {
     int substeps = 1;       ///< >= 1, steps of dt/substeps each
     int passes = 1;         ///< >= 1, how often the contact phases are repeated in a substep
     ContactOrder order = ContactOrder::index;
-    bool literal = false;   ///< pbd only: the handout's unconditional response (also when separating), once a substep
-    std::uint64_t seed = 1; ///< for ContactOrder::random
+    bool literal = false;    ///< pbd only: the handout's unconditional response (also when separating), once a substep
+    std::uint64_t seed = 1;  ///< for ContactOrder::random
 };
 
 /// Position based: move, then respond and project overlaps (handout; Mueller et al. 2007 for the name).
@@ -37,11 +38,15 @@ struct PositionBased : StepOptions {
     bool mass_weighted = false;  ///< share a projection by inverse mass instead of half and half
 };
 /// Velocity based: respond on gaps at the start of the step, cancel velocities that would deepen an overlap, then move.
-struct VelocityBased : StepOptions {};
+struct VelocityBased : StepOptions {
+};
 /// Step, and when an overlap appears go back to the first contact by bisection, respond there, go on (handout).
-struct Bisection : StepOptions {};
-/// Response on velocity alone, no approach test, no correction: sinks and sticks. The handout's warning, a positive control.
-struct Naive : StepOptions {};
+struct Bisection : StepOptions {
+};
+/// Response on velocity alone, no approach test, no correction: sinks and sticks. The handout's warning, a positive
+/// control.
+struct Naive : StepOptions {
+};
 
 using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive>;
 

@@ -12,9 +12,11 @@
 #include <variant>
 #include <vector>
 
-namespace carom {
+namespace carom
+{
 
-/// How one material answers an impact. Of two materials in contact the smaller value holds, unless a ContactRule says otherwise.
+/// How one material answers an impact. Of two materials in contact the smaller value holds, unless a ContactRule says
+/// otherwise.
 struct Material {
     std::string name;
     double restitution = 1;  ///< e (handout: beta), in [0, 1]: v_n+ = -e v_n
@@ -27,7 +29,8 @@ struct ContactRule {
     int a = 0, b = 0;                   ///< indices into Scene::materials
     std::optional<double> restitution;  ///< [0, 1]
     std::optional<double> tangential;   ///< [0, 1]; between spheres it acts only when given here
-    std::optional<double> attenuation;  ///< [0, 1], sphere-sphere only: both velocities are multiplied by it after the exchange
+    std::optional<double>
+        attenuation;  ///< [0, 1], sphere-sphere only: both velocities are multiplied by it after the exchange
 };
 
 /// The coefficients that hold for one contact, see `contact_law`.
@@ -39,12 +42,12 @@ struct ContactLaw {
 
 struct Sphere {
     std::string id;
-    double radius = 0;               ///< > 0 [length]
-    double mass = 1;                 ///< > 0 [mass]
-    Vec3 position = Vec3::Zero();    ///< centre, relative to Scene::origin [length]
-    Vec3 velocity = Vec3::Zero();    ///< [length/time]
-    int material = 0;                ///< index into Scene::materials
-    std::string color;               ///< CSS colour; empty: that of the material
+    double radius = 0;             ///< > 0 [length]
+    double mass = 1;               ///< > 0 [mass]
+    Vec3 position = Vec3::Zero();  ///< centre, relative to Scene::origin [length]
+    Vec3 velocity = Vec3::Zero();  ///< [length/time]
+    int material = 0;              ///< index into Scene::materials
+    std::string color;             ///< CSS colour; empty: that of the material
 };
 
 /// Without thickness: a half-space wall, free side normal.x >= offset, gap = normal.x - offset - r.
@@ -71,7 +74,8 @@ struct RestOptions {
 
 /// One line of a scene's `checks`: what a correct event run of the scene must show.
 struct Check {
-    std::string type;                ///< no_overlap, energy, momentum, inside, event_time, event_count, rest_time, final_position, final_velocity
+    std::string type;  ///< no_overlap, energy, momentum, inside, event_time, event_count, rest_time, final_position,
+                       ///< final_velocity
     std::optional<double> rel, abs;  ///< tolerance, at most one of them
     std::int64_t index = 0;          ///< event_time: 0-based among impacts
     std::int64_t count = 0;          ///< event_count
@@ -113,7 +117,8 @@ struct Scene {
     }
 };
 
-/// Coefficients for contacts between two spheres of these materials: smaller restitution; tangential and attenuation 1 unless a ContactRule gives them.
+/// Coefficients for contacts between two spheres of these materials: smaller restitution; tangential and attenuation 1
+/// unless a ContactRule gives them.
 ContactLaw sphere_contact_law(const Scene& scene, int material_a, int material_b);
 /// Coefficients for a sphere on a plane: smaller restitution, smaller tangential; attenuation 1.
 ContactLaw plane_contact_law(const Scene& scene, int sphere_material, int plane_material);
@@ -129,6 +134,5 @@ RestThresholds rest_thresholds(const Scene& scene);
 
 /// Signed distance from the surface of sphere `s`, centred at `position`, to the surface of plane `p` [length].
 double plane_gap(const Plane& p, const Sphere& s, const Vec3& position);
-
 
 }  // namespace carom

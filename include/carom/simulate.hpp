@@ -1,5 +1,6 @@
 /// \file
-/// A run is a value: simulate(scene, method, options, observer) -> Outcome. Nothing global, no I/O, no exceptions for numerical outcomes.
+/// A run is a value: simulate(scene, method, options, observer) -> Outcome. Nothing global, no I/O, no exceptions for
+/// numerical outcomes.
 #pragma once
 
 #include <carom/event.hpp>
@@ -13,7 +14,8 @@
 #include <string>
 #include <vector>
 
-namespace carom {
+namespace carom
+{
 
 /// How a run ended.
 enum class Status : std::uint8_t {
@@ -51,32 +53,34 @@ struct Observer {
 
 /// Work done, machine independent. A method leaves at 0 what it does not have.
 struct Counts {
-    std::int64_t impacts = 0;         ///< contacts that got an impulse, once per pair and instant
-    std::int64_t clusters = 0;        ///< instants at which several contacts were resolved together
+    std::int64_t impacts = 0;   ///< contacts that got an impulse, once per pair and instant
+    std::int64_t clusters = 0;  ///< instants at which several contacts were resolved together
     std::int64_t rests = 0, releases = 0, guarded = 0;
     std::int64_t cell_crossings = 0, list_rebuilds = 0;
-    std::int64_t stale = 0;           ///< scheduled events that were out of date when their turn came
-    std::int64_t pair_tests = 0;      ///< pairs (sphere-sphere, sphere-plane) whose gap or time of impact was examined
-    std::int64_t root_solves = 0;     ///< square roots taken or brackets bisected for a time of impact
-    std::int64_t steps = 0;           ///< substeps of a discrete method
+    std::int64_t stale = 0;        ///< scheduled events that were out of date when their turn came
+    std::int64_t pair_tests = 0;   ///< pairs (sphere-sphere, sphere-plane) whose gap or time of impact was examined
+    std::int64_t root_solves = 0;  ///< square roots taken or brackets bisected for a time of impact
+    std::int64_t steps = 0;        ///< substeps of a discrete method
 };
 
 struct Outcome {
     Status status = Status::reached_end;
-    std::string message;         ///< for people, empty when the end was reached
-    std::string kernel;          ///< which compiled kernel ran, empty for discrete methods
-    double time = 0;             ///< reached, since the start [time]
+    std::string message;  ///< for people, empty when the end was reached
+    std::string kernel;   ///< which compiled kernel ran, empty for discrete methods
+    double time = 0;      ///< reached, since the start [time]
     Counts counts;
     std::vector<BodyState> final;                   ///< at `time`, in body order
     std::vector<std::optional<double>> rest_times;  ///< per sphere: when its normal motion ended, if it did [time]
-    std::vector<double> plane_impulses;             ///< per plane: normal impulse taken, resting included [mass length/time]
+    std::vector<double> plane_impulses;  ///< per plane: normal impulse taken, resting included [mass length/time]
     double max_penetration = 0;  ///< event: at impacts; discrete: at the end of each substep before correction [length]
-    std::uint64_t event_hash = 0;                   ///< event-driven runs only
-    double epoch_length = 1;     ///< power of two [time]
+    std::uint64_t event_hash = 0;  ///< event-driven runs only
+    double epoch_length = 1;       ///< power of two [time]
 };
 
-/// Run a scene. \pre the scene is valid (`validate`). \post Outcome::final has a state for each sphere, all numbers finite unless status says otherwise.
-Outcome simulate(const Scene& scene, const Method& method, const RunOptions& options = {}, const Observer& observer = {});
+/// Run a scene. \pre the scene is valid (`validate`). \post Outcome::final has a state for each sphere, all numbers
+/// finite unless status says otherwise.
+Outcome simulate(const Scene& scene, const Method& method, const RunOptions& options = {},
+                 const Observer& observer = {});
 
 /// n + 1 equally spaced times from 0 to until.
 std::vector<double> sample_grid(double until, std::size_t n);

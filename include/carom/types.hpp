@@ -16,7 +16,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-namespace carom {
+namespace carom
+{
 
 using Vec3 = Eigen::Vector3d;
 
@@ -26,8 +27,8 @@ using BodyId = std::int32_t;
 inline constexpr BodyId no_body = -1;
 
 /// A moment, counted from the start of the run: epoch * epoch_length + offset with 0 <= offset < epoch_length.
-/// The epoch length, a power of two, belongs to the run (`Outcome::epoch_length`). Splitting a time keeps its resolution the
-/// same after a year as in the first second.
+/// The epoch length, a power of two, belongs to the run (`Outcome::epoch_length`). Splitting a time keeps its
+/// resolution the same after a year as in the first second.
 struct EpochTime {
     std::int64_t epoch = 0;
     double offset = 0;  ///< [time]

@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
-namespace carom {
+namespace carom
+{
 
-/// Every broken rule as "/json/pointer: what is wrong (the cure)"; empty when the scene is valid. Values first (finite, in range); if those hold, overlaps.
+/// Every broken rule as "/json/pointer: what is wrong (the cure)"; empty when the scene is valid. Values first (finite,
+/// in range); if those hold, overlaps.
 std::vector<std::string> validate(const Scene& scene, bool allow_overlap = false);
 
 }  // namespace carom

@@ -6,17 +6,24 @@
 #include <array>
 #include <type_traits>
 
-namespace carom {
+namespace carom
+{
 
 const char* name(Mode mode)
 {
     switch (mode) {
-        case Mode::flying: return "flying";
-        case Mode::series: return "series";
-        case Mode::sliding: return "sliding";
-        case Mode::resting: return "resting";
-        case Mode::numeric: return "numeric";
-        case Mode::fixed: return "fixed";
+        case Mode::flying:
+            return "flying";
+        case Mode::series:
+            return "series";
+        case Mode::sliding:
+            return "sliding";
+        case Mode::resting:
+            return "resting";
+        case Mode::numeric:
+            return "numeric";
+        case Mode::fixed:
+            return "fixed";
     }
     return "?";
 }
@@ -24,10 +31,14 @@ const char* name(Mode mode)
 const char* name(EventKind kind)
 {
     switch (kind) {
-        case EventKind::impact: return "impact";
-        case EventKind::rest: return "rest";
-        case EventKind::release: return "release";
-        case EventKind::guard: return "guard";
+        case EventKind::impact:
+            return "impact";
+        case EventKind::rest:
+            return "rest";
+        case EventKind::release:
+            return "release";
+        case EventKind::guard:
+            return "guard";
     }
     return "?";
 }
@@ -35,12 +46,18 @@ const char* name(EventKind kind)
 const char* name(Status status)
 {
     switch (status) {
-        case Status::reached_end: return "reached_end";
-        case Status::event_limit: return "event_limit";
-        case Status::time_limit: return "time_limit";
-        case Status::zeno: return "zeno";
-        case Status::unresolved: return "unresolved";
-        case Status::interrupted: return "interrupted";
+        case Status::reached_end:
+            return "reached_end";
+        case Status::event_limit:
+            return "event_limit";
+        case Status::time_limit:
+            return "time_limit";
+        case Status::zeno:
+            return "zeno";
+        case Status::unresolved:
+            return "unresolved";
+        case Status::interrupted:
+            return "interrupted";
     }
     return "?";
 }
@@ -51,7 +68,10 @@ const std::vector<std::string>& method_names()
     return names;
 }
 
-std::string_view name(const Method& method) { return method_names()[method.index()]; }
+std::string_view name(const Method& method)
+{
+    return method_names()[method.index()];
+}
 
 Method make_method(std::string_view wanted, const StepOptions& options)
 {
@@ -60,7 +80,8 @@ Method make_method(std::string_view wanted, const StepOptions& options)
     if (wanted == "velocity") return VelocityBased{options};
     if (wanted == "bisection") return Bisection{options};
     if (wanted == "naive") return Naive{options};
-    throw InputError({"unknown method \"" + std::string(wanted) + "\" (take event, pbd, velocity, bisection or naive)"});
+    throw InputError(
+        {"unknown method \"" + std::string(wanted) + "\" (take event, pbd, velocity, bisection or naive)"});
 }
 
 const StepOptions* step_options(const Method& method)
@@ -73,7 +94,8 @@ const StepOptions* step_options(const Method& method)
         method);
 }
 
-namespace {
+namespace
+{
 constexpr std::array<std::string_view, 4> order_names{"index", "reverse", "random", "deepest"};
 }
 
@@ -84,12 +106,16 @@ ContactOrder contact_order(std::string_view wanted)
     throw InputError({"unknown order \"" + std::string(wanted) + "\" (take index, reverse, random or deepest)"});
 }
 
-std::string_view name(ContactOrder order) { return order_names[static_cast<std::size_t>(order)]; }
+std::string_view name(ContactOrder order)
+{
+    return order_names[static_cast<std::size_t>(order)];
+}
 
 std::vector<double> sample_grid(double until, std::size_t n)
 {
     std::vector<double> times(n + 1);
-    for (std::size_t k = 0; k <= n; ++k) times[k] = k == n ? until : until * static_cast<double>(k) / static_cast<double>(n);
+    for (std::size_t k = 0; k <= n; ++k)
+        times[k] = k == n ? until : until * static_cast<double>(k) / static_cast<double>(n);
     return times;
 }
 

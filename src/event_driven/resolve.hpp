@@ -1,0 +1,40 @@
+/// \file
+/// What an event does: flights in, flights out. Nothing is changed here; the loop commits.
+#pragma once
+
+#include "event_driven/state.hpp"
+#include "queue/key.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace carom
+{
+
+/// Every body that may touch this one now; valid until the next call.
+using Neighbourhood = std::function<std::span<const BodyId>(BodyId)>;
+
+struct Change {
+    BodyId body = no_body;
+    Flight flight;
+    Series series;  ///< meaningful if flight.mode is series
+};
+
+/// Outcome of one event.
+struct Resolution {
+    std::vector<Change> changes;
+    std::vector<Event> events;  ///< times and hash are the loop's business: only kind, a, b, normal, impulse
+    double penetration = 0;     ///< of the contact at the instant of impact, >= 0 [length]
+    std::string unresolved;     ///< not empty: what carom cannot resolve, where and why
+};
+
+/// Carry out the event `key`, whose participants have not changed since it was predicted.
+Resolution resolve(const State& state, const Key& key, const Neighbourhood& neighbourhood);
+
+/// The mode and support of each body as the scene starts: what touches a plane (gap within 1e-9 r), does not leave it
+/// and is pressed on it rests or slides there. Returns only the bodies that do.
+std::vector<Change> initial_contacts(const State& state);
+
+}  // namespace carom

@@ -1,0 +1,60 @@
+/// \file
+/// A flight: one body's motion between two of its own contact events, in closed form. It changes at those events and
+/// never in between.
+#pragma once
+
+#include "flight/frame.hpp"
+
+#include <vector>
+
+namespace carom
+{
+
+/// "Same acceleration" is a question of ids, never a comparison of floats.
+using AccelerationId = std::int32_t;
+
+/// The accelerations that occur in a run: none, gravity, and gravity along each plane for what rests or slides on it.
+class Accelerations
+{
+public:
+    explicit Accelerations(const Scene& scene);
+
+    static constexpr AccelerationId none = 0;
+    AccelerationId free() const { return has_gravity_ ? 1 : none; }
+    AccelerationId along(int plane) const { return has_gravity_ ? plane + 2 : none; }
+
+    bool has_gravity() const { return has_gravity_; }
+    const Vec3& operator[](AccelerationId id) const { return table_[static_cast<std::size_t>(id)]; }
+
+private:
+    bool has_gravity_;
+    std::vector<Vec3> table_;  ///< [length/time^2]
+};
+
+struct Flight {
+    EpochTime start;
+    Place place;                   ///< at start
+    Vec3 velocity = Vec3::Zero();  ///< at start [length/time]
+    AccelerationId acceleration = Accelerations::none;
+    std::int32_t support = -1;  ///< plane that carries a series, a slide or a rest; -1 in free flight
+    Mode mode = Mode::flying;
+};
+
+/// x(dt) - x(0) = dt (v + a dt/2) [length].
+inline Vec3 displacement(const Vec3& velocity, const Vec3& acceleration, double dt)
+{
+    return dt * (velocity + (0.5 * dt) * acceleration);
+}
+
+/// p_a - p_b of two places [length]. The cells cancel first, as whole numbers: nothing of a far origin is left.
+inline Vec3 separation(const Frame& frame, const Place& a, const Place& b)
+{
+    Vec3 r;
+    for (int k = 0; k < 3; ++k) {
+        const double cells = static_cast<double>(a.cell[k] - b.cell[k]) * frame.cell_size;
+        r[k] = cells + (a.local[k] - b.local[k]);
+    }
+    return r;
+}
+
+}  // namespace carom

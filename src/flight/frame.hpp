@@ -1,0 +1,58 @@
+/// \file
+/// The rulers of a run: how long an epoch is and how large a cell. Both are powers of two, so that splitting a time or
+/// a place into a whole number and a rest is exact, and a run keeps its resolution however far and however long it
+/// goes.
+#pragma once
+
+#include <carom/scene.hpp>
+#include <carom/types.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace carom
+{
+
+inline constexpr EpochTime never{std::numeric_limits<std::int64_t>::max(), 0};
+
+struct Frame {
+    double epoch_length = 1;  ///< [time], a power of two
+    double cell_size = 1;     ///< [length], a power of two
+
+    /// to - from [time]; relative error u, plus u times the offsets' difference. Infinite if `to` is never.
+    double between(const EpochTime& from, const EpochTime& to) const
+    {
+        if (to.epoch == never.epoch) return std::numeric_limits<double>::infinity();
+        return static_cast<double>(to.epoch - from.epoch) * epoch_length + (to.offset - from.offset);
+    }
+
+    /// from + dt, dt >= 0; rounds to the resolution of an offset, u * epoch_length. Never if dt is infinite or beyond
+    /// 2^62 epochs.
+    EpochTime after(const EpochTime& from, double dt) const;
+
+    /// Seconds since the start, rounded to a double [time].
+    double seconds(const EpochTime& t) const { return static_cast<double>(t.epoch) * epoch_length + t.offset; }
+};
+
+/// Epoch: short enough that u * epoch_length * (highest speed that the energy allows) stays below u * smallest radius;
+/// cells: a little above the smallest diameter. Pure functions of the scene.
+Frame make_frame(const Scene& scene);
+
+/// A place: cell * cell_size + local, 0 <= local < cell_size in each coordinate [length].
+struct Place {
+    std::int64_t cell[3] = {0, 0, 0};
+    double local[3] = {0, 0, 0};
+};
+
+/// Exact, unless a coordinate is beyond 2^62 cells.
+Place place_at(const Frame& frame, const Vec3& position);
+/// Move by a displacement and renormalise; rounds to u (|displacement| + cell_size).
+Place moved(const Frame& frame, const Place& from, const Vec3& displacement);
+/// Rounded to doubles [length].
+Vec3 position_of(const Frame& frame, const Place& place);
+
+/// The largest power of two <= x, for finite x > 0.
+double power_of_two_below(double x);
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+/// \file
+/// The coefficients of every pair of materials, looked up once a run.
+#pragma once
+
+#include <carom/scene.hpp>
+
+#include <vector>
+
+namespace carom
+{
+
+class ContactLaws
+{
+public:
+    explicit ContactLaws(const Scene& scene) : count_(scene.materials.size())
+    {
+        for (std::size_t i = 0; i < count_; ++i)
+            for (std::size_t j = 0; j < count_; ++j) {
+                spheres_.push_back(sphere_contact_law(scene, static_cast<int>(i), static_cast<int>(j)));
+                planes_.push_back(plane_contact_law(scene, static_cast<int>(i), static_cast<int>(j)));
+            }
+    }
+
+    const ContactLaw& spheres(int a, int b) const { return spheres_[index(a, b)]; }
+    const ContactLaw& plane(int sphere, int plane) const { return planes_[index(sphere, plane)]; }
+
+private:
+    std::size_t index(int a, int b) const { return static_cast<std::size_t>(a) * count_ + static_cast<std::size_t>(b); }
+
+    std::size_t count_;
+    std::vector<ContactLaw> spheres_, planes_;
+};
+
+}  // namespace carom

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# A folder of src may include only what stands to its left in the order of the design. Usage: check_layers.sh SRC
+set -euo pipefail
+src=$1
+# Folders on one line stand side by side: none of them sees the others.
+order=("core" "math" "flight" "toi" "broad" "scene" "obstacle" "stepping" "queue impact" "contact" "event_driven" "reference" "simulate" "study" "io report" "cli")
+declare -A rank
+for i in "${!order[@]}"; do for folder in ${order[$i]}; do rank[$folder]=$i; done; done
+
+bad=0
+for folder in "$src"/*/; do
+    folder=$(basename "$folder")
+    if [ -z "${rank[$folder]:-}" ]; then echo "src/$folder: not a layer (add it to the order)"; bad=1; continue; fi
+    while IFS=: read -r file line include; do
+        target=$(sed -E 's/.*"([a-z_]+)\/.*/\1/' <<<"$include")
+        [ -n "${rank[$target]:-}" ] || { echo "$file:$line: includes unknown layer: $include"; bad=1; continue; }
+        if [ "$target" != "$folder" ] && [ "${rank[$target]}" -ge "${rank[$folder]}" ]; then
+            echo "$file:$line: $folder may not include $target"
+            bad=1
+        fi
+    done < <(grep -nH '#include "[a-z_]*/' "$src/$folder"/*.?pp 2>/dev/null | sed "s|$src/|src/|")
+    # The stepping methods and the reference must not lean on the event engine, nor the reference on anything above math.
+    case $folder in
+    stepping) forbidden='"(toi|broad|queue|impact|contact|flight)/' ;;
+    reference) forbidden='"(flight|toi|broad|stepping|queue|impact|contact|event_driven)/' ;;
+    *) continue ;;
+    esac
+    if grep -nHE "#include $forbidden" "$src/$folder"/*.?pp; then echo "src/$folder: must stay independent"; bad=1; fi
+done
+exit $bad
