@@ -33,6 +33,13 @@ std::uint32_t odd_cube_root(std::uint32_t cells)
     return static_cast<std::uint32_t>(a) | 1U;
 }
 
+/// floor(x) modulo 2^32. \pre |x| < 2^31. (Without SSE 4.1 std::floor is a call.)
+std::uint32_t floor_to_cell(double x)
+{
+    const auto truncated = static_cast<std::int32_t>(x);
+    return static_cast<std::uint32_t>(truncated - (static_cast<double>(truncated) > x));
+}
+
 }  // namespace
 
 CellGrid::CellGrid(std::size_t spheres, double largest_radius)
@@ -55,14 +62,9 @@ CellGrid::CellGrid(std::size_t spheres, double largest_radius)
 
 bool CellGrid::find_cell(const Vec3& p, std::uint32_t& cell) const
 {
-    const double x = std::floor(p.x() * per_cell_);
-    const double y = std::floor(p.y() * per_cell_);
-    const double z = std::floor(p.z() * per_cell_);
+    const double x = p.x() * per_cell_, y = p.y() * per_cell_, z = p.z() * per_cell_;
     if (!(std::abs(x) < farthest_cell && std::abs(y) < farthest_cell && std::abs(z) < farthest_cell)) return false;
-    cell = (static_cast<std::uint32_t>(static_cast<std::int32_t>(x)) +
-            static_cast<std::uint32_t>(static_cast<std::int32_t>(y)) * stride_y_ +
-            static_cast<std::uint32_t>(static_cast<std::int32_t>(z)) * stride_z_) &
-           mask_;
+    cell = (floor_to_cell(x) + floor_to_cell(y) * stride_y_ + floor_to_cell(z) * stride_z_) & mask_;
     return true;
 }
 

@@ -45,14 +45,27 @@ struct Wall {
     bool plate;             ///< two-sided
 };
 
+/// Signed distance of p from the plane in the middle of the wall [length].
+inline double wall_height(const Wall& wall, const Vec3& p)
+{
+    const Vec3& n = wall.normal;
+    return n.x() * p.x() + n.y() * p.y() + n.z() * p.z() - wall.offset;
+}
+
+/// The test for contact of a sphere and a wall: the sign of wall_gap().value.
+inline bool overlap(const Wall& wall, const Vec3& p, double radius)
+{
+    const double height = wall_height(wall, p);
+    return (wall.plate ? std::abs(height) - wall.half_thickness : height) - radius <= 0;
+}
+
 /// A sphere and a plane. The normal of a plate points to the side on which the centre is now: nothing remembers where
 /// it came from.
 inline Gap wall_gap(const Wall& wall, const Vec3& p, double radius)
 {
-    const double height = wall.normal.dot(p) - wall.offset;
+    const double height = wall_height(wall, p);
     if (!wall.plate) return {height - radius, wall.normal};
-    if (height < 0) return {-height - wall.half_thickness - radius, -wall.normal};
-    return {height - wall.half_thickness - radius, wall.normal};
+    return {std::abs(height) - wall.half_thickness - radius, height < 0 ? Vec3(-wall.normal) : wall.normal};
 }
 
 }  // namespace carom::stepping

@@ -51,8 +51,9 @@ void Detector::find_pairs(const std::vector<Vec3>& position, const std::vector<d
 void Detector::find_walls_of(BodyId sphere, const Vec3& position, double radius, std::vector<Contact>& contacts)
 {
     for (std::size_t w = 0; w < walls_.size(); ++w) {
+        if (!overlap(walls_[w], position, radius)) continue;
         const Gap gap = wall_gap(walls_[w], position, radius);
-        if (gap.value <= 0) contacts.push_back({gap.value, sphere, spheres_ + static_cast<BodyId>(w), gap.normal});
+        contacts.push_back({gap.value, sphere, spheres_ + static_cast<BodyId>(w), gap.normal});
     }
     tests += static_cast<std::int64_t>(walls_.size());
 }
@@ -60,8 +61,19 @@ void Detector::find_walls_of(BodyId sphere, const Vec3& position, double radius,
 void Detector::find_walls(const std::vector<Vec3>& position, const std::vector<double>& radius,
                           std::vector<Contact>& contacts)
 {
-    for (BodyId i = 0; i < spheres_; ++i)
-        find_walls_of(i, position[static_cast<std::size_t>(i)], radius[static_cast<std::size_t>(i)], contacts);
+    found_.clear();
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        const Wall wall = walls_[w];  // a copy stays in registers
+        for (std::size_t i = 0; i < position.size(); ++i)
+            if (overlap(wall, position[i], radius[i])) found_.push_back(std::uint64_t{i} << 32 | w);
+    }
+    tests += static_cast<std::int64_t>(walls_.size() * position.size());
+    std::sort(found_.begin(), found_.end());
+    for (const std::uint64_t found : found_) {
+        const std::size_t i = found >> 32, w = found & 0xffffffff;
+        const Gap gap = wall_gap(walls_[w], position[i], radius[i]);
+        contacts.push_back({gap.value, static_cast<BodyId>(i), spheres_ + static_cast<BodyId>(w), gap.normal});
+    }
 }
 
 double deepest_penetration(const std::vector<Contact>& contacts)
