@@ -20,7 +20,7 @@ struct ReferenceImpact {
 /// start + 2 v0 (1 - e^k) / (g_n (1 - e)); the last one before `end`.
 struct ReferenceSeries {
     double start = 0;         ///< time of the impact that began it (that impact is listed among the impacts) [time]
-    double end = 0;           ///< start + 2 v0 / (g_n (1 - e)) [time]
+    double end = 0;           ///< start + 2 v0 / (g_n (1 - e)), or the impact with another body that broke it off [time]
     BodyId body = no_body, plane = no_body;
     double normal_speed = 0;  ///< v0 after that impact [length/time]
     double restitution = 0;   ///< e
