@@ -1,0 +1,140 @@
+// The work-precision diagram: error against work, both logarithmic; one line a method, one point a step.
+
+import { above, axis, decades, FONT, INK, makeChart, MUTED, symbolPath, tooltip } from "./chart.js";
+import { COLUMN, ERRORS, WORKS } from "./columns.js";
+import { choice, h } from "./dom.js";
+import { figure, makeKey } from "./figure.js";
+import { escapeHtml, formatDecade, formatNumber, formatQuantity, isNumber, powerOfTen, slug, withUnit } from "./format.js";
+import { logAxis } from "./logaxis.js";
+import { groupRows, rowLabel, stepLabel } from "./rows.js";
+import { methodStyle } from "./styles.js";
+
+const NOTE = 11;
+
+function available(list, rows, alsoZero) {
+  return list.filter(({ key }) => rows.some((row) => isNumber(row[key]) && (alsoZero || row[key] > 0)));
+}
+
+function whiskers(points, x, color) {
+  const data = points.filter(({ row }) => row.cpu_min > 0 && row.cpu_max > row.cpu_min)
+    .map((p) => [x.place(p.row.cpu_min), x.place(p.row.cpu_max), p.at[1]]);
+  return {
+    type: "custom", silent: true, data, encode: { x: [0, 1], y: 2 }, z: 1, tooltip: { show: false },
+    renderItem: (_, api) => {
+      const [from, to] = [api.coord([api.value(0), api.value(2)]), api.coord([api.value(1), api.value(2)])];
+      const line = (x1, y1, x2, y2) => ({ type: "line", shape: { x1, y1, x2, y2 }, style: { stroke: color, lineWidth: 1 } });
+      return { type: "group", children: [line(from[0], from[1], to[0], to[1]), line(from[0], from[1] - 3, from[0], from[1] + 3), line(to[0], to[1] - 3, to[0], to[1] + 3)] };
+    },
+  };
+}
+
+export function workFigure(comparison) {
+  const { rows, units, reference } = comparison;
+  const errors = available(ERRORS, rows, true);
+  const works = available(WORKS, rows, false);
+  if (!errors.length || !works.length) return null;
+  let [error, work] = [errors[0], works[0]];
+  const groups = groupRows(rows);
+  const key = makeKey();
+  const note = h("p", { class: "note" });
+
+  const unitOf = (what) => COLUMN[what.key].unit(units);
+  const drawable = (row) => isNumber(row[error.key]) && isNumber(row[work.key]);
+
+  const explain = (y) => {
+    const missing = rows.filter((row) => !drawable(row)).map(rowLabel);
+    const unit = unitOf(error);
+    const parts = [];
+    if (rows.some((row) => drawable(row) && (y.floored(row[error.key])))) {
+      parts.push(y.boundShown ? "Hollow symbols: no further from the reference than its own bound." : `Hollow symbols: zero${error.bounded && reference.bound > 0 ? ", or below the reference’s bound," : ""} drawn at the dotted line.`);
+    }
+    if (error.bounded && reference.bound > 0 && !y.boundShown) parts.push(`The reference’s bound, ${formatNumber(reference.bound, 2)}${unit ? ` ${unit}` : ""}, lies far below this range.`);
+    if (missing.length) parts.push(`Not drawn, without a figure for this choice: ${missing.join("; ")}.`);
+    note.textContent = parts.join(" ");
+  };
+
+  const option = ({ width, narrow }) => {
+    const bound = error.bounded ? reference.bound ?? 0 : 0;
+    const shown = rows.filter(drawable);
+    const y = logAxis(shown.map((row) => row[error.key]), { bound, tickCount: 7 });
+    const spread = work.seconds ? shown.flatMap((row) => [row.cpu_min, row.cpu_max]).filter((v) => v > 0) : [];
+    const x = logAxis([...shown.map((row) => row[work.key]), ...spread], { tickCount: width < 480 ? 4 : 7 });
+    explain(y);
+    key.element.hidden = !narrow;
+    key.show(groups.map((g) => ({ style: methodStyle(g.method, g.variant), name: g.name })));
+    const left = 58;
+    const floorName = y.boundShown ? `reference bound ${formatQuantity(bound, unitOf(error), 2)}` : error.bounded && bound > 0 ? "0 or below the bound" : "0";
+    const marks = [];
+    if (y.floor !== null && (y.boundShown || shown.some((row) => y.floored(row[error.key])))) {
+      marks.push({ yAxis: Math.log10(y.floor), lineStyle: { type: y.boundShown ? [8, 5] : [2, 3], color: "#444", width: 1.2 }, label: { formatter: floorName, position: "insideStartBottom", color: "#444", fontSize: 12, fontFamily: FONT } });
+    }
+    if (x.floor !== null) marks.push({ xAxis: Math.log10(x.floor), lineStyle: { type: [2, 3], color: "#444", width: 1.2 }, label: { formatter: "0", position: "end", color: "#444", fontSize: 12 } });
+
+    const series = [];
+    groups.forEach((group, index) => {
+      const style = methodStyle(group.method, group.variant);
+      const points = group.rows.filter(({ row }) => drawable(row)).map((p) => ({ ...p, at: [x.place(p.row[work.key]), y.place(p.row[error.key])] }));
+      const single = points.length === 1;
+      series.push({
+        type: "line", name: group.name, z: 3, symbol: symbolPath(style.symbol), symbolSize: single ? 16 : 11, showSymbol: true, showAllSymbol: true,
+        lineStyle: { color: style.color, width: style.width, type: style.dash.length ? style.dash : "solid" },
+        itemStyle: { color: style.color, borderColor: style.color, borderWidth: 1.5 }, emphasis: { scale: 1.3 },
+        label: { show: true, position: "top", distance: 6, formatter: (p) => p.data.step, color: MUTED, fontSize: NOTE, fontFamily: FONT },
+        labelLayout: { hideOverlap: true },
+        data: points.map(({ row, index: at, at: value }) => ({
+          value, row: at, step: stepLabel(row), itemStyle: y.floored(row[error.key]) || x.floored(row[work.key]) ? { color: "#fff" } : undefined,
+        })),
+        markLine: index === 0 && marks.length ? { silent: true, symbol: "none", animation: false, data: marks } : undefined,
+      });
+      if (work.seconds && points.length) series.push(whiskers(points, x, style.color));
+      if (!narrow && points.length) { // the name at the end of the line that has the finest step
+        series.push({
+          type: "scatter", silent: true, symbolSize: 1, itemStyle: { opacity: 0 }, z: 4, data: [points.at(-1).at], tooltip: { show: false },
+          label: { show: true, position: "right", distance: 12, formatter: () => group.name, color: style.color, fontSize: 13, fontWeight: 700, fontFamily: FONT },
+          labelLayout: { moveOverlap: "shiftY" },
+        });
+      }
+    });
+
+    const longest = groups.reduce((n, g) => Math.max(n, g.name.length), 0);
+    return {
+      animation: false, textStyle: { fontFamily: FONT, color: INK },
+      grid: { left, right: narrow ? 18 : 24 + Math.min(150, 7.5 * longest), top: 42, bottom: 52, outerBoundsMode: "none" },
+      tooltip: tooltip({
+        trigger: "item",
+        formatter: (p) => {
+          const row = rows[p.data.row];
+          const value = formatQuantity(row[error.key], unitOf(error), 4);
+          const below = y.floored(row[error.key]) && row[error.key] !== 0 ? " (below the reference’s bound)" : "";
+          const span = work.seconds && row.cpu_max > row.cpu_min ? ` (${formatQuantity(row.cpu_min, "s")} to ${formatQuantity(row.cpu_max, "s")})` : "";
+          return `<b>${escapeHtml(rowLabel(row))}</b><br>${escapeHtml(error.name)}: ${escapeHtml(value)}${below}<br>` +
+            `${escapeHtml(work.name)}: ${escapeHtml(formatQuantity(row[work.key], unitOf(work), 4))}${span}` +
+            (isNumber(row.missed_impacts) ? `<br>missed impacts: ${row.missed_impacts}` : "");
+        },
+      }),
+      xAxis: axis(work.name + (work.seconds ? "" : " (count)"), { nameLocation: "middle", nameGap: 32, ...decades(x, (n) => formatDecade(n, work.seconds)) }),
+      yAxis: axis(withUnit(error.name, unitOf(error)), { ...above(left), ...decades(y, powerOfTen) }),
+      series,
+    };
+  };
+
+  const chart = makeChart({
+    label: `Work-precision diagram of ${comparison.title}: error against work, one line a method; the table of rows has the numbers`,
+    height: (width) => (width < 480 ? 380 : 440), option,
+  });
+  const pick = (list, key_) => list.find((entry) => entry.key === key_);
+  const options = (list) => [{ options: list.map((e) => ({ value: e.key, label: e.option })) }];
+  return figure({
+    title: "What accuracy costs", className: "wide",
+    caption: "Work-precision diagram: lower is more accurate, further left is cheaper. One line a method, one point a step (its length beside it)." + (works[0].seconds ? " Bars: fastest and slowest repeat." : ""),
+    controls: [
+      choice("Error", options(errors), error.key, (value) => { error = pick(errors, value); chart.update(); }),
+      choice("Work", options(works), work.key, (value) => { work = pick(works, value); chart.update(); }),
+    ],
+    body: [chart.element, key.element, note],
+    csv: {
+      name: () => `${slug(comparison.title)}-${work.key}-${error.key}`,
+      table: () => [["method", "label", "dt", work.key, error.key], rows.map((row) => [row.method, rowLabel(row), row.dt, row[work.key], row[error.key]])],
+    },
+  });
+}
