@@ -3,19 +3,18 @@
 import { CustomChart, LineChart, ScatterChart } from "echarts/charts";
 import { GridComponent, MarkLineComponent, TooltipComponent } from "echarts/components";
 import { init, use } from "echarts/core";
-import { LabelLayout } from "echarts/features";
 import { SVGRenderer } from "echarts/renderers";
 import { h } from "./dom.js";
 import { SYMBOLS } from "./styles.js";
 
-use([CustomChart, LineChart, ScatterChart, GridComponent, MarkLineComponent, TooltipComponent, LabelLayout, SVGRenderer]);
+use([CustomChart, LineChart, ScatterChart, GridComponent, MarkLineComponent, TooltipComponent, SVGRenderer]);
 
 export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
 export const INK = "#1d2733";
 export const MUTED = "#52606d";
 const GRID = "#e3e8ee";
 const NEAR = "800px"; // charts further from the window than this wait
-const NARROW = 600; // below this width keys stand below the chart, not at the line ends
+const NARROW = 520; // below this width keys stand below the chart, not at the line ends
 
 export function symbolPath(name) {
   return `path://${SYMBOLS[name]}`;
@@ -25,7 +24,7 @@ export function symbolPath(name) {
 export function axis(name, extra = {}) {
   return {
     type: "value", name, nameTextStyle: { color: INK, fontSize: 13, fontWeight: 600, fontFamily: FONT },
-    axisLine: { show: true, lineStyle: { color: "#8895a3" } }, axisTick: { show: true, ...extra.axisTick },
+    axisLine: { show: true, onZero: false, lineStyle: { color: "#8895a3" } }, axisTick: { show: true, ...extra.axisTick },
     axisLabel: { color: MUTED, fontSize: 12, hideOverlap: true, ...extra.axisLabel },
     splitLine: { lineStyle: { color: GRID } },
     ...Object.fromEntries(Object.entries(extra).filter(([key]) => key !== "axisTick" && key !== "axisLabel")),
@@ -37,11 +36,23 @@ export function above(left) {
   return { nameLocation: "end", nameGap: 14, nameTextStyle: { align: "left", padding: [0, 0, 0, -left + 4], color: INK, fontSize: 13, fontWeight: 600, fontFamily: FONT } };
 }
 
+/** Pixels of a point, for grids that state their margins. */
+export function pixels({ grid, width, height, x, y }) {
+  const [w, h_] = [width - grid.left - grid.right, height - grid.top - grid.bottom];
+  return ([a, b]) => [grid.left + ((a - x.min) / (x.max - x.min)) * w, grid.top + (1 - (b - y.min) / (y.max - y.min)) * h_];
+}
+
+/** A line across the chart at the floor of a logarithmic axis. */
+export function floorLine(scale, key) {
+  return { [key]: Math.log10(scale.floor), lineStyle: { type: [2, 3], color: "#444", width: 1.2 }, label: { show: false } };
+}
+
 /** Ticks of an axis that shows log10 values (see logaxis.js). */
 export function decades(scale, format) {
+  const write = (n) => (n === scale.floorTick ? scale.floorName : format(Math.round(n)));
   return {
     min: scale.min, max: scale.max,
-    axisLabel: { customValues: scale.ticks, formatter: (n) => format(Math.round(n)) }, axisTick: { customValues: scale.ticks },
+    axisLabel: { customValues: scale.ticks, formatter: write }, axisTick: { customValues: scale.ticks },
   };
 }
 
@@ -50,7 +61,7 @@ export function tooltip(extra) {
 }
 
 /**
- * @param {{label: string, height: (width: number) => number, option: (size: {width: number, narrow: boolean}) => object}} spec
+ * @param {{label: string, height: (width: number) => number, option: (size: {width: number, height: number, narrow: boolean}) => object}} spec
  * @returns {{element: HTMLElement, update: () => void}}
  */
 export function makeChart({ label, height, option }) {
@@ -62,7 +73,7 @@ export function makeChart({ label, height, option }) {
     if (!chart) return;
     chart.resize({ width, height: height(width) });
     element.style.height = `${height(width)}px`;
-    chart.setOption(option({ width, narrow: width < NARROW }), { notMerge: true });
+    chart.setOption(option({ width, height: height(width), narrow: width < NARROW }), { notMerge: true });
   };
   const start = () => {
     if (chart || width === 0) return;

@@ -5,7 +5,8 @@ import { isNumber } from "./format.js";
 
 const EMPTY = 1e-16; // decade of the floor when there is nothing positive to measure from
 const REACH = 4; // a bound further than so many decades below the data is told in words, not drawn
-const PADDING = 0.35; // decades kept free beyond the outermost points
+const PADDING = 0.3; // decades kept free beyond the outermost points,
+const ROOM = 0.07; // and this part of the axis, for the labels of points
 
 /**
  * @param {number[]} values what will be drawn; only magnitudes count
@@ -24,19 +25,24 @@ export function logAxis(values, { bound = 0, tickCount = 8, decades = Infinity }
   let floor = null;
   if (boundShown) floor = bound;
   else if (above.length === 0) floor = EMPTY;
-  else if (someBelow) floor = 10 ** (Math.floor(Math.log10(lowest)) - 1);
+  else if (someBelow) floor = Number(`1e${Math.floor(Math.log10(lowest)) - 1}`);
 
   const low = Math.log10(floor ?? lowest);
   const high = above.length ? Math.log10(above.reduce((a, b) => Math.max(a, b), 0)) : low + 2;
   let [min, max] = [low - PADDING, high + PADDING];
+  const room = ROOM * (max - min);
+  [min, max] = [min - room, max + room];
   if (max - min < 2) [min, max] = [(min + max) / 2 - 1, (min + max) / 2 + 1];
   const step = Math.max(1, Math.ceil((max - min) / tickCount));
-  const ticks = [];
-  for (let n = Math.ceil(min / step) * step; n <= max; n += step) ticks.push(n === 0 ? 0 : n);
+  const floorTick = floor !== null && !boundShown ? Math.log10(floor) : null;
+  const ticks = floorTick === null ? [] : [floorTick];
+  for (let n = Math.ceil(min / step) * step; n <= max; n += step) if (floorTick === null || n > floorTick + step / 2) ticks.push(n === 0 ? 0 : n);
 
   const floored = (v) => floor !== null && Math.abs(v) <= Math.max(floor, cut);
   return {
     min, max, ticks, floor, boundShown,
+    /** The tick that stands for the floor, unless that is the bound, and what to write there. */
+    floorTick, floorName: sizes.some((v) => v !== 0 && v <= cut) ? "≈ 0" : "0",
     /** Is this value drawn at the floor rather than where it is? */
     floored,
     /** Where to draw it: log10 of its magnitude, or of the floor. */

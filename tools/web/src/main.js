@@ -28,7 +28,8 @@ function referenceLine({ reference, until, units, rows }) {
   const parts = [`${rows.length} runs`];
   if (until !== undefined && until !== null) parts.push(`compared up to t = ${formatQuantity(until, units.time ?? "", 4)}`);
   if (reference.kind) parts.push(`reference: ${KINDS[reference.kind] ?? reference.kind}${reference.bound > 0 ? `, off by ${formatNumber(reference.bound, 2)}${unit} at most` : ""}`);
-  return h("p", { class: "facts" }, parts.join(" · "), reference.reason ? h("span", {}, ` The reference ends there: ${reference.reason}`) : null);
+  if (reference.reason) parts.push(`the reference ends there: ${reference.reason}`);
+  return h("p", { class: "facts" }, parts.join(" · "));
 }
 
 function section(comparison, alone) {

@@ -4,10 +4,12 @@ import { axis, FONT, INK, makeChart, tooltip } from "./chart.js";
 import { h } from "./dom.js";
 import { figure } from "./figure.js";
 import { escapeHtml, formatNumber, formatQuantity, isNumber, slug, withUnit } from "./format.js";
+import { textWidth } from "./labels.js";
 import { rowLabel } from "./rows.js";
 import { methodStyle } from "./styles.js";
 
 const STRIP = 30;
+const FONT_SIZE = 12.5;
 const MARK = "rect";
 
 /** Rows whose impacts could be counted, in their order. */
@@ -37,9 +39,11 @@ export function missedFigure(comparison) {
     return figure({ title, caption: "No method missed an impact of the reference.", body: [h("p", { class: "note" }, cleanText)], csv });
   }
 
+  const names = hit.map((s) => [`${rowLabel(s.row)}:  `, `${formatNumber(s.count)} missed`]);
+  const nameWidth = Math.max(...names.map(([row, count]) => textWidth(row, FONT_SIZE) + textWidth(count, FONT_SIZE, 700)));
   const option = ({ narrow }) => ({
     animation: false, textStyle: { fontFamily: FONT, color: INK },
-    grid: { left: narrow ? 14 : 250, right: narrow ? 18 : 30, top: narrow ? 22 : 8, bottom: 52, outerBoundsMode: "none" },
+    grid: { left: narrow ? 14 : nameWidth + 16, right: narrow ? 18 : 30, top: narrow ? 22 : 8, bottom: 52, outerBoundsMode: "none" },
     tooltip: tooltip({
       trigger: "item",
       formatter: (p) => {
@@ -50,11 +54,11 @@ export function missedFigure(comparison) {
     }),
     xAxis: axis(withUnit("time", timeUnit), { nameLocation: "middle", nameGap: 32, min: 0, max: comparison.until, axisLabel: { formatter: (v) => formatNumber(v) } }),
     yAxis: {
-      type: "category", inverse: true, data: hit.map((s) => `${rowLabel(s.row)}:  {n|${formatNumber(s.count)} missed}`),
+      type: "category", inverse: true, data: names.map(([row, count]) => `${row}{n|${count}}`),
       axisLine: { show: !narrow, lineStyle: { color: "#8895a3" } }, axisTick: { show: false }, splitLine: { show: true, lineStyle: { color: "#e3e8ee" } },
       axisLabel: narrow
         ? { inside: true, align: "left", verticalAlign: "bottom", padding: [0, 0, 6, -8], color: INK, fontSize: 12, margin: 2, rich: { n: { fontWeight: 700, fontSize: 12 } }, interval: 0 }
-        : { color: INK, fontSize: 12.5, width: 236, overflow: "truncate", interval: 0, rich: { n: { fontWeight: 700, fontSize: 12.5 } } },
+        : { color: INK, fontSize: FONT_SIZE, interval: 0, rich: { n: { fontWeight: 700, fontSize: FONT_SIZE } } },
       z: 10,
     },
     series: [{
@@ -64,11 +68,11 @@ export function missedFigure(comparison) {
   });
   const chart = makeChart({
     label: `Missed impacts over time, ${comparison.title}: ${hit.map((s) => `${rowLabel(s.row)} ${s.count}`).join(", ")}`,
-    height: (width) => hit.length * (width < 600 ? 40 : STRIP) + 66, option,
+    height: (width) => hit.length * (width < 520 ? 40 : STRIP) + 66, option,
   });
   const shortened = hit.some((s) => s.times.length < s.count) ? " Where there are very many, only the first are marked." : "";
   return figure({
-    title, csv, className: "full",
+    title, csv, 
     caption: `Impacts of the reference that a method did not notice, each marked at its time.${shortened}`,
     body: [chart.element, h("p", { class: "note" }, cleanText)],
   });

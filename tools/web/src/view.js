@@ -6,7 +6,7 @@ import { figure } from "./figure.js";
 import { formatNumber, formatQuantity } from "./format.js";
 import { rowLabel } from "./rows.js";
 import { methodStyle } from "./styles.js";
-import { drawPanel, drawScaleBar, isEnlarged, suitableHeight } from "./view_draw.js";
+import { drawPanel, drawScaleBar, FEW, isEnlarged, suitableHeight } from "./view_draw.js";
 
 const REFERENCE = -1;
 const LENGTHS = [{ value: 4, label: "4 s" }, { value: 8, label: "8 s" }, { value: 20, label: "20 s" }, { value: 60, label: "60 s" }];
@@ -70,8 +70,9 @@ export function viewFigure(comparison) {
       context.lineWidth = 1;
       context.strokeRect(panel.rect.x + 0.5, panel.rect.y + 0.5, panel.rect.width - 1, panel.rect.height - 1);
       drawScaleBar(context, map, units.length ?? "");
-      note.textContent = `Side view along ${view.axes[0]} (right) and ${view.axes[1]} (up), both to the same scale.` +
-        (isEnlarged(view, map.scale) ? " Spheres are drawn larger than they are, to be seen at all." : "");
+      note.textContent = `Side view along ${view.axes[0]} (right) and ${view.axes[1]} (up), ` +
+        (map.stretch === 1 ? "both to the same scale." : `${view.axes[1]} drawn ${formatNumber(map.stretch, 2)} times as large as ${view.axes[0]}.`) +
+        (isEnlarged(view, map) ? " Spheres are drawn larger than they are, to be seen at all." : "");
     }
     describe();
   };
@@ -90,9 +91,10 @@ export function viewFigure(comparison) {
   const choose = () => {
     const row = rows[state.row];
     const color = row ? methodStyle(row.method).color : "#5d6875";
+    const lines = view.radius.length <= FEW;
     const filled = h("span", { class: "dot" });
     filled.style.background = view.color?.[0] || color;
-    legend.replaceChildren(...(row ? [h("span", {}, filled, `${rowLabel(row)} (filled, full line)`)] : []), h("span", {}, h("span", { class: "dot ghost" }), "reference (outline, dashed line)"));
+    legend.replaceChildren(...(row ? [h("span", {}, filled, `${rowLabel(row)} (filled${lines ? ", full line" : ""})`)] : []), h("span", {}, h("span", { class: "dot ghost" }), `reference (outline${lines ? ", dashed line" : ""})`));
     ticks.replaceChildren(...missedOf(state.row).slice(0, 400).map((t) => {
       const tick = h("i", {});
       tick.style.left = `${(100 * (t - start)) / (end - start || 1)}%`;
@@ -136,7 +138,7 @@ export function viewFigure(comparison) {
   const options = [{ options: choices.map((row) => ({ value: String(row), label: rowLabel(rows[row]) })) }];
   return figure({
     title: "What it looks like",
-    caption: choices.length ? "One run over the reference, from the side. Red ticks below the time line: impacts that the run missed." : "The reference, from the side.",
+    caption: choices.length ? `One run over the reference, from the side.${comparison.missed?.length ? " Red ticks below the time line: impacts that the run missed." : ""}` : "The reference, from the side.",
     controls: [
       choices.length ? choice("Run", options, String(state.row), (value) => { state.row = Number(value); choose(); }) : null,
       choices.length && track(REFERENCE) ? toggle("Arrangement", [{ value: "overlay", label: "overlaid" }, { value: "beside", label: "side by side" }], state.mode, (value) => { state.mode = value; draw(); }) : null,

@@ -6,26 +6,44 @@ import { formatQuantity } from "./format.js";
 const MARGIN = 30; // px around the view's box, for planes and their names
 const LEAST_RADIUS = 4; // px, so that a bullet on a range is seen
 const LEAST_PLATE = 4; // px
+const LONGEST = 8; // sides of a view further apart than this get scales of their own
 const HATCH = 9; // px between strokes, and their depth
-const FEW = 12; // up to so many spheres have their paths drawn
+export const FEW = 12; // up to so many spheres have their paths drawn
 const NAMED = 10; // up to so many planes are named
 
-/** Equal scale on both axes, centred in `rect` {x, y, width, height}. */
+/**
+ * From the view to pixels, centred in `rect` {x, y, width, height}: one scale for both axes, unless the view is so long and flat
+ * (or tall and narrow) that nothing would be seen; then each axis fills its side. `stretch`: upward scale over rightward scale.
+ */
 export function projection(view, rect) {
-  const [spanX, spanY] = [view.max[0] - view.min[0], view.max[1] - view.min[1]];
-  const scale = Math.min((rect.width - 2 * MARGIN) / spanX, (rect.height - 2 * MARGIN) / spanY);
-  const [cx, cy] = [(view.min[0] + view.max[0]) / 2, (view.min[1] + view.max[1]) / 2];
-  return { scale, rect, x: (a) => rect.x + rect.width / 2 + (a - cx) * scale, y: (b) => rect.y + rect.height / 2 - (b - cy) * scale };
+  const room = [rect.width - 2 * MARGIN, rect.height - 2 * MARGIN];
+  const span = [0, 1].map((axis) => view.max[axis] - view.min[axis]);
+  const fit = [room[0] / span[0], room[1] / span[1]];
+  const least = Math.min(...fit);
+  const scale = isStretched(view) ? fit : [least, least];
+  const [cx, cy] = [0, 1].map((axis) => (view.min[axis] + view.max[axis]) / 2);
+  return {
+    scale, rect, stretch: scale[1] / scale[0],
+    x: (a) => rect.x + rect.width / 2 + (a - cx) * scale[0], y: (b) => rect.y + rect.height / 2 - (b - cy) * scale[1],
+  };
+}
+
+function aspectOf(view) {
+  return (view.max[1] - view.min[1]) / (view.max[0] - view.min[0]);
+}
+
+function isStretched(view) {
+  return aspectOf(view) < 1 / LONGEST || aspectOf(view) > LONGEST;
 }
 
 /** Height that suits the view at this width. */
 export function suitableHeight(view, width) {
-  const aspect = (view.max[1] - view.min[1]) / (view.max[0] - view.min[0]);
-  return Math.round(Math.min(460, Math.max(170, (width - 2 * MARGIN) * aspect + 2 * MARGIN)));
+  const asked = isStretched(view) ? (aspectOf(view) < 1 ? 230 : 460) : (width - 2 * MARGIN) * aspectOf(view) + 2 * MARGIN;
+  return Math.round(Math.min(430, Math.max(170, asked)));
 }
 
-export function isEnlarged(view, scale) {
-  return view.radius.some((r) => r * scale < LEAST_RADIUS);
+export function isEnlarged(view, map) {
+  return view.radius.some((r) => r * Math.min(...map.scale) < LEAST_RADIUS);
 }
 
 /** The part of the line through `p` along `d` inside `rect`, as two ends; null if it passes by. */
@@ -70,8 +88,11 @@ function drawPlane(context, view, plane, map) {
   const n = [plane.normal[0] / length, plane.normal[1] / length];
   const offset = plane.offset / length;
   const isPlate = plane.thickness !== null && plane.thickness !== undefined;
-  const solid = { x: -n[0], y: n[1] }; // px: the other way up
-  const tangent = { x: solid.y, y: -solid.x };
+  // In pixels (the other way up, each axis at its own scale): along the surface, and square to it into the solid.
+  const [tx, ty] = [n[1] * map.scale[0], n[0] * map.scale[1]];
+  const tangent = { x: tx / Math.hypot(tx, ty), y: ty / Math.hypot(tx, ty) };
+  const solid = { x: -tangent.y, y: tangent.x };
+  const deep = n[0] * map.scale[0] * tangent.y + n[1] * map.scale[1] * tangent.x; // px for each unit along the normal
   // The point of the plane next to the middle of the view: far feet lose digits.
   const middle = [(view.min[0] + view.max[0]) / 2, (view.min[1] + view.max[1]) / 2];
   const away = offset - (n[0] * middle[0] + n[1] * middle[1]);
@@ -79,7 +100,7 @@ function drawPlane(context, view, plane, map) {
   context.strokeStyle = "#3b4754";
   context.lineWidth = 1.6;
   if (isPlate) {
-    const half = Math.max(LEAST_PLATE, plane.thickness * map.scale) / 2;
+    const half = Math.max(LEAST_PLATE, plane.thickness * Math.abs(deep)) / 2;
     const ends = clip(p, tangent, map.rect);
     if (!ends) return;
     context.save();
@@ -120,7 +141,7 @@ function namePlane(context, view, plane, map) {
     const b = view.max[1];
     const top = map.y(b);
     x = map.x((offset - ny * b) / nx);
-    if (isPlate) [x, y] = [Math.min(Math.max(x - width / 2, rect.x + 2), rect.x + rect.width - width - 2), Math.max(rect.y + 13, top - 10)];
+    if (isPlate) [x, y] = [x + width + 8 < rect.x + rect.width ? x + 7 : x - width - 7, rect.y + 15];
     else [x, y, turn] = [x + (nx > 0 ? -13 : 21), top + width + 8, -Math.PI / 2];
   }
   if (x < rect.x - 2 || x > rect.x + rect.width || y < rect.y || y > rect.y + rect.height + 2) return;
@@ -135,9 +156,9 @@ function namePlane(context, view, plane, map) {
   context.restore();
 }
 
-function disc(context, x, y, radius) {
+function disc(context, x, y, [across, up]) {
   context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.ellipse(x, y, across, up, 0, 0, 2 * Math.PI);
 }
 
 /** A mark at the edge for a sphere that has left what was recorded. */
@@ -169,8 +190,7 @@ function drawPath(context, view, words, map, until) {
       const jump = last && view.periodic && (Math.abs(x - last.x) > (view.max[0] - view.min[0]) / 2 || Math.abs(y - last.y) > (view.max[1] - view.min[1]) / 2);
       if (last && !jump) context.lineTo(map.x(x), map.y(y));
       else context.moveTo(map.x(x), map.y(y));
-      last = { x, y };
-      if (outside) break; // beyond the edge its place is unknown
+      last = outside ? null : { x, y }; // beyond the edge its place is unknown: the path ends there, or begins there
     }
     context.stroke();
   }
@@ -191,7 +211,7 @@ export function drawPanel(context, view, panel) {
   context.fillRect(rect.x, rect.y, rect.width, rect.height);
   (view.planes ?? []).forEach((plane) => drawPlane(context, view, plane, map));
   const few = view.radius.length <= FEW;
-  const size = (i) => Math.max(LEAST_RADIUS, view.radius[i] * map.scale);
+  const size = (i, more = 0) => map.scale.map((s) => Math.max(LEAST_RADIUS, view.radius[i] * s) + more);
 
   if (few && panel.reference) {
     Object.assign(context, { strokeStyle: "#5d6875", lineWidth: 1.2 });
@@ -216,8 +236,8 @@ export function drawPanel(context, view, panel) {
   ghosts.forEach(({ x, y }, i) => {
     const [px, py] = [map.x(x), map.y(y)];
     Object.assign(context, { strokeStyle: "#000", lineWidth: few ? 2 : 1.1 });
-    context.setLineDash(size(i) > 6 ? [5, 3] : []);
-    disc(context, px, py, size(i) + (solids.length ? 1.5 : 0));
+    context.setLineDash(Math.min(...size(i)) > 6 ? [5, 3] : []);
+    disc(context, px, py, size(i, solids.length ? 1.5 : 0));
     context.stroke();
     context.setLineDash([]);
   });
@@ -228,7 +248,8 @@ export function drawPanel(context, view, panel) {
 
 /** A bar of a round length in the lower right corner. */
 export function drawScaleBar(context, map, unit) {
-  const { rect, scale } = map;
+  const { rect } = map;
+  const scale = map.scale[0];
   const wanted = 90 / scale;
   const decade = 10 ** Math.floor(Math.log10(wanted));
   const length = decade * [1, 2, 5, 10].findLast((m) => m * decade <= wanted);

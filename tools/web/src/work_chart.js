@@ -1,15 +1,36 @@
 // The work-precision diagram: error against work, both logarithmic; one line a method, one point a step.
 
-import { above, axis, decades, FONT, INK, makeChart, MUTED, symbolPath, tooltip } from "./chart.js";
+import { above, axis, decades, floorLine, FONT, INK, makeChart, pixels, symbolPath, tooltip } from "./chart.js";
 import { COLUMN, ERRORS, WORKS } from "./columns.js";
 import { choice, h } from "./dom.js";
 import { figure, makeKey } from "./figure.js";
 import { escapeHtml, formatDecade, formatNumber, formatQuantity, isNumber, powerOfTen, slug, withUnit } from "./format.js";
+import { placeLabels, samples, textSeries, textWidth } from "./labels.js";
 import { logAxis } from "./logaxis.js";
 import { groupRows, rowLabel, stepLabel } from "./rows.js";
 import { methodStyle } from "./styles.js";
 
-const NOTE = 11;
+const NOTE = { size: 11.5, weight: 400 };
+const NAME = { size: 13.5, weight: 700 };
+const SYMBOL = 11; // px
+
+/** Texts of the diagram: each line's name at its finest step (unless a key below has them), each point's step. */
+function labelsOf(lines, { grid, width, height, narrow }) {
+  const names = narrow ? [] : lines.filter((l) => l.points.length)
+    .map((l) => ({ text: l.group.name, at: l.pixels.at(-1), color: l.style.color, ...NAME, required: true, reach: 13 }));
+  const steps = lines.flatMap((l) => l.points.map((p, i) => ({ text: stepLabel(p.row), at: l.pixels[i], color: l.style.color, ...NOTE, required: false, reach: 8 })))
+    .filter((l) => l.text);
+  const items = [...names, ...steps].map((l) => ({ ...l, x: l.at[0], y: l.at[1], width: textWidth(l.text, l.size, l.weight) }));
+  const half = SYMBOL / 2;
+  const points = lines.flatMap((l) => l.pixels.map(([x, y]) => ({ x: x - half, y: y - half, width: SYMBOL, height: SYMBOL })));
+  const bounds = { x: grid.left + 2, y: grid.top - 8, width: width - grid.left - 4, height: height - grid.top - grid.bottom + 8 };
+  return placeLabels(items, points, lines.flatMap((l) => samples(l.pixels)), bounds).map((box, i) => {
+    if (!box) return null;
+    const { text, color, size, weight, x, y } = items[i];
+    const nearest = [Math.min(Math.max(x, box.x), box.x + box.width), box.y + box.height / 2];
+    return { text, color, size, weight, x: box.x, y: box.y + box.height / 2, from: box.ring > 0 ? [x, y, ...nearest] : undefined };
+  }).filter(Boolean);
+}
 
 function available(list, rows, alsoZero) {
   return list.filter(({ key }) => rows.some((row) => isNumber(row[key]) && (alsoZero || row[key] > 0)));
@@ -46,14 +67,14 @@ export function workFigure(comparison) {
     const unit = unitOf(error);
     const parts = [];
     if (rows.some((row) => drawable(row) && (y.floored(row[error.key])))) {
-      parts.push(y.boundShown ? "Hollow symbols: no further from the reference than its own bound." : `Hollow symbols: zero${error.bounded && reference.bound > 0 ? ", or below the reference’s bound," : ""} drawn at the dotted line.`);
+      parts.push(y.boundShown ? "Hollow symbols: no further from the reference than its own bound." : `Hollow symbols at the dotted line: zero${error.bounded && reference.bound > 0 ? ", or below the reference’s bound" : ""}.`);
     }
     if (error.bounded && reference.bound > 0 && !y.boundShown) parts.push(`The reference’s bound, ${formatNumber(reference.bound, 2)}${unit ? ` ${unit}` : ""}, lies far below this range.`);
     if (missing.length) parts.push(`Not drawn, without a figure for this choice: ${missing.join("; ")}.`);
     note.textContent = parts.join(" ");
   };
 
-  const option = ({ width, narrow }) => {
+  const option = ({ width, height, narrow }) => {
     const bound = error.bounded ? reference.bound ?? 0 : 0;
     const shown = rows.filter(drawable);
     const y = logAxis(shown.map((row) => row[error.key]), { bound, tickCount: 7 });
@@ -62,44 +83,34 @@ export function workFigure(comparison) {
     explain(y);
     key.element.hidden = !narrow;
     key.show(groups.map((g) => ({ style: methodStyle(g.method, g.variant), name: g.name })));
-    const left = 58;
-    const floorName = y.boundShown ? `reference bound ${formatQuantity(bound, unitOf(error), 2)}` : error.bounded && bound > 0 ? "0 or below the bound" : "0";
+    const grid = { left: 58, right: 22, top: 42, bottom: 52, outerBoundsMode: "none" };
+    const toPixel = pixels({ grid, width, height, x, y });
     const marks = [];
-    if (y.floor !== null && (y.boundShown || shown.some((row) => y.floored(row[error.key])))) {
-      marks.push({ yAxis: Math.log10(y.floor), lineStyle: { type: y.boundShown ? [8, 5] : [2, 3], color: "#444", width: 1.2 }, label: { formatter: floorName, position: "insideStartBottom", color: "#444", fontSize: 12, fontFamily: FONT } });
-    }
-    if (x.floor !== null) marks.push({ xAxis: Math.log10(x.floor), lineStyle: { type: [2, 3], color: "#444", width: 1.2 }, label: { formatter: "0", position: "end", color: "#444", fontSize: 12 } });
+    if (y.boundShown) {
+      marks.push({ yAxis: Math.log10(y.floor), lineStyle: { type: [8, 5], color: "#444", width: 1.2 }, label: { formatter: `reference bound ${formatQuantity(bound, unitOf(error), 2)}`, position: "insideEndBottom", color: "#444", fontSize: 12, fontFamily: FONT } });
+    } else if (y.floor !== null) marks.push(floorLine(y, "yAxis"));
+    if (x.floor !== null) marks.push(floorLine(x, "xAxis"));
 
-    const series = [];
-    groups.forEach((group, index) => {
-      const style = methodStyle(group.method, group.variant);
+    const lines = groups.map((group) => {
       const points = group.rows.filter(({ row }) => drawable(row)).map((p) => ({ ...p, at: [x.place(p.row[work.key]), y.place(p.row[error.key])] }));
-      const single = points.length === 1;
+      return { group, points, style: methodStyle(group.method, group.variant), pixels: points.map((p) => toPixel(p.at)) };
+    });
+    const series = [];
+    lines.forEach(({ group, points, style }, index) => {
       series.push({
-        type: "line", name: group.name, z: 3, symbol: symbolPath(style.symbol), symbolSize: single ? 16 : 11, showSymbol: true, showAllSymbol: true,
+        type: "line", name: group.name, z: 3, symbol: symbolPath(style.symbol), symbolSize: points.length === 1 ? 16 : SYMBOL, showSymbol: true, showAllSymbol: true,
         lineStyle: { color: style.color, width: style.width, type: style.dash.length ? style.dash : "solid" },
         itemStyle: { color: style.color, borderColor: style.color, borderWidth: 1.5 }, emphasis: { scale: 1.3 },
-        label: { show: true, position: "top", distance: 6, formatter: (p) => p.data.step, color: MUTED, fontSize: NOTE, fontFamily: FONT },
-        labelLayout: { hideOverlap: true },
-        data: points.map(({ row, index: at, at: value }) => ({
-          value, row: at, step: stepLabel(row), itemStyle: y.floored(row[error.key]) || x.floored(row[work.key]) ? { color: "#fff" } : undefined,
-        })),
+        data: points.map(({ row, index: at, at: value }) => ({ value, row: at, itemStyle: y.floored(row[error.key]) || x.floored(row[work.key]) ? { color: "#fff" } : undefined })),
         markLine: index === 0 && marks.length ? { silent: true, symbol: "none", animation: false, data: marks } : undefined,
       });
       if (work.seconds && points.length) series.push(whiskers(points, x, style.color));
-      if (!narrow && points.length) { // the name at the end of the line that has the finest step
-        series.push({
-          type: "scatter", silent: true, symbolSize: 1, itemStyle: { opacity: 0 }, z: 4, data: [points.at(-1).at], tooltip: { show: false },
-          label: { show: true, position: "right", distance: 12, formatter: () => group.name, color: style.color, fontSize: 13, fontWeight: 700, fontFamily: FONT },
-          labelLayout: { moveOverlap: "shiftY" },
-        });
-      }
     });
+    series.push(textSeries(labelsOf(lines, { grid, width, height, narrow }), FONT));
 
-    const longest = groups.reduce((n, g) => Math.max(n, g.name.length), 0);
     return {
       animation: false, textStyle: { fontFamily: FONT, color: INK },
-      grid: { left, right: narrow ? 18 : 24 + Math.min(150, 7.5 * longest), top: 42, bottom: 52, outerBoundsMode: "none" },
+      grid,
       tooltip: tooltip({
         trigger: "item",
         formatter: (p) => {
@@ -113,14 +124,14 @@ export function workFigure(comparison) {
         },
       }),
       xAxis: axis(work.name + (work.seconds ? "" : " (count)"), { nameLocation: "middle", nameGap: 32, ...decades(x, (n) => formatDecade(n, work.seconds)) }),
-      yAxis: axis(withUnit(error.name, unitOf(error)), { ...above(left), ...decades(y, powerOfTen) }),
+      yAxis: axis(withUnit(error.name, unitOf(error)), { ...above(grid.left), ...decades(y, powerOfTen) }),
       series,
     };
   };
 
   const chart = makeChart({
     label: `Work-precision diagram of ${comparison.title}: error against work, one line a method; the table of rows has the numbers`,
-    height: (width) => (width < 480 ? 380 : 440), option,
+    height: (width) => (width < 480 ? 400 : 500), option,
   });
   const pick = (list, key_) => list.find((entry) => entry.key === key_);
   const options = (list) => [{ options: list.map((e) => ({ value: e.key, label: e.option })) }];
