@@ -58,6 +58,14 @@ std::vector<double> expand(const ReferenceSeries& series, double shortest_flight
     return times;
 }
 
+/// Whether the series ended before its Zeno point.
+bool broken_off(const ReferenceSeries& series)
+{
+    constexpr double rounding = 1e-9;
+    const double length = 2 * series.normal_speed / (series.gravity * (1 - series.restitution));
+    return series.end < series.start + length * (1 - rounding);
+}
+
 void add_series(const Reference& reference, double shortest_flight, ExpectedImpacts& expected)
 {
     for (const ReferenceSeries& series : reference.series) {
@@ -68,10 +76,11 @@ void add_series(const Reference& reference, double shortest_flight, ExpectedImpa
             begin = bounces.empty() ? tail_start(reference, series, shortest_flight) : bounces.back();
             pair.times.insert(pair.times.end(), bounces.begin(), bounces.end());
         }
-        double end = std::numeric_limits<double>::infinity();
+        // A series that another body broke off ends there; a complete one leaves a contact that lasts.
+        double end = broken_off(series) ? series.end + shortest_flight : std::numeric_limits<double>::infinity();
         for (const ReferenceImpact& impact : reference.impacts)
             if (impact.a == series.body && impact.b == series.plane && impact.time > series.end) {
-                end = impact.time;
+                end = std::min(end, impact.time);
                 break;
             }
         // The bounce at which the tail begins, and the impact that ends it, still count.

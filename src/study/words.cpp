@@ -60,7 +60,7 @@ std::string length_text(double value, const std::string& unit)
     const double size = std::abs(value);
     if (size < smallest_named || size >= in_words_below) return two_digits(value) + " m";
     constexpr std::array<Prefix, 4> prefixes{
-        {{1e-6, 1e-9, " nm"}, {1e-3, 1e-6, " um"}, {1e-2, 1e-3, " mm"}, {1, 1e-2, " cm"}}};
+        {{1e-6, 1e-9, " nm"}, {1e-4, 1e-6, " um"}, {1e-2, 1e-3, " mm"}, {1, 1e-2, " cm"}}};
     for (const Prefix& each : prefixes)
         if (size < each.below) return two_digits(value / each.unit) + each.text;
     return two_digits(value) + " m";
