@@ -1,0 +1,68 @@
+/// \file
+/// What the integrator knows of a sphere and of a plane, and how contacts change velocities.
+#pragma once
+
+#include <carom/scene.hpp>
+
+#include "reference/prefilter.hpp"
+#include "reference/vector.hpp"
+
+namespace carom::reference
+{
+
+template <class Real>
+struct Ball {
+    Real radius, mass;
+    Flight<Real> flight;
+    Shadow shadow;
+    Real next = 0;               ///< its earliest contact, not later than the end
+    BodyId partner = no_body;    ///< with whom; no_body: none
+    std::ptrdiff_t series = -1;  ///< index of the Zeno series it is in; -1: none
+
+    explicit Ball(const Sphere& s, const Vector<Real>& gravity) : radius(s.radius), mass(s.mass)
+    {
+        flight = {0, Vector<Real>(s.position), Vector<Real>(s.velocity), gravity};
+        shadow = {0, s.radius, s.position, s.velocity};
+    }
+
+    /// New velocity and acceleration at time t.
+    void fly(const Real& t, const Vector<Real>& v, const Vector<Real>& a)
+    {
+        flight = {t, flight.position(t), v, a};
+        shadow = {static_cast<double>(t), shadow.radius, flight.x.rounded(), v.rounded()};
+    }
+};
+
+/// The side of a plane that a sphere sees: gap = n.x - offset. A stored normal is used as it is, not normalised.
+template <class Real>
+struct Face {
+    Vector<Real> n;
+    Real offset;
+
+    Face(const Plane& p, const Ball<Real>& ball) : n(p.normal), offset(p.offset)
+    {
+        if (p.thickness && dot(n, ball.flight.x) < offset) {
+            n = n * Real(-1);
+            offset = -offset;
+        }
+        offset += Real(p.thickness.value_or(0)) / 2 + ball.radius;
+    }
+    Real gap(const Vector<Real>& x) const { return dot(n, x) - offset; }
+};
+
+/// The part of v along r. Dividing by r.r keeps energy exactly, whatever the length of r.
+template <class Real>
+Vector<Real> along(const Vector<Real>& v, const Vector<Real>& r)
+{
+    return r * (dot(v, r) / dot(r, r));
+}
+
+/// What a contact with normal r takes from the relative velocity v: (1+e) of v_n and (1-alpha) of v_t.
+template <class Real>
+Vector<Real> velocity_change(const Vector<Real>& v, const Vector<Real>& r, const ContactLaw& law)
+{
+    const Vector<Real> v_n = along(v, r);
+    return v_n * (1 + Real(law.restitution)) + (v - v_n) * (1 - Real(law.tangential));
+}
+
+}  // namespace carom::reference

@@ -1,0 +1,264 @@
+/// \file
+/// Spheres among planes, event by event, all pairs, in multiprecision: slow, short, and sharing nothing with the
+/// engine.
+#pragma once
+
+#include "reference/bodies.hpp"
+#include "reference/reason.hpp"
+#include "reference/reference.hpp"
+#include "reference/roots.hpp"
+
+#include <set>
+
+namespace carom::reference
+{
+
+inline constexpr std::int64_t max_impacts = 2'000'000;
+/// Contacts closer than this are one instant (in radii); those of the scene's start are within 1e-9 r, by contract.
+inline constexpr double tie = 1e-12, declared_tie = 1e-9;
+/// A start slower than this fraction of v_c, or than two roundings of the speed, is at rest: normals and velocities are
+/// doubles.
+inline constexpr double still = 1e-6, still_rounding = 0x1p-51;
+/// Bounces lower than this fraction of the radius are over.
+inline constexpr double lowest_bounce = 1e-60;
+
+/// Runs the scene's doubles as exact numbers until `until` or until something that it does not model: then `reason`
+/// says what, and `stopped_at` when. Zeno series are run bounce by bounce, and a lone sphere then stays on its plane.
+template <class Real>
+class Integrator
+{
+public:
+    Integrator(const Scene& scene, const Real& until) : scene_(scene), until_(until), gravity_(scene.gravity)
+    {
+        for (const Sphere& s : scene.spheres) balls_.emplace_back(s, gravity_);
+        for (BodyId i = 0; i < count() && !stopped(); ++i) start(i);
+        for (BodyId i = 0; i < count() && !stopped(); ++i) predict(i, 0, i);
+    }
+
+    /// Executes the events up to and including time t. \pre t never decreases and is at most `until`.
+    void advance(const Real& t)
+    {
+        while (!stopped()) {
+            BodyId a = no_body;
+            for (BodyId i = 0; i < count(); ++i)
+                if (balls_[i].partner != no_body && (a == no_body || balls_[i].next < balls_[a].next)) a = i;
+            if (a == no_body || balls_[a].next > t) return;
+            const Real now = balls_[a].next;
+            const BodyId b = balls_[a].partner;
+            impact(a, b, now);
+            for (BodyId i = 0; i < count(); ++i) {
+                const BodyId p = balls_[i].partner;
+                if (i == a || i == b || p == a || (p == b && b < count())) predict(i, now, count());
+            }
+        }
+    }
+
+    const Flight<Real>& flight(std::size_t i) const { return balls_[i].flight; }
+    Mode mode(std::size_t i, const Real& t) const
+    {
+        const Flight<Real>& f = balls_[i].flight;
+        if (support_ != no_body) return size(f.a) == 0 && size(f.velocity(t)) == 0 ? Mode::resting : Mode::sliding;
+        return balls_[i].series >= 0 ? Mode::series : Mode::flying;
+    }
+    bool stopped() const { return !reason_.empty(); }
+    const std::string& reason() const { return reason_; }
+    const Real& stopped_at() const { return stopped_at_; }
+
+    std::vector<ReferenceImpact> impacts;
+    std::vector<ReferenceSeries> series;
+    std::int64_t root_solves = 0;
+
+private:
+    BodyId count() const { return static_cast<BodyId>(balls_.size()); }
+    BodyId bodies() const { return scene_.plane_body(scene_.planes.size()); }
+    const Plane& plane(BodyId p) const { return scene_.planes[p - count()]; }
+    Face<Real> face(BodyId p, const Ball<Real>& ball) const { return Face<Real>(plane(p), ball); }
+    ContactLaw law_of(BodyId a, BodyId b) const
+    {
+        const int material = scene_.spheres[a].material;
+        return b < count() ? sphere_contact_law(scene_, material, scene_.spheres[b].material)
+                           : plane_contact_law(scene_, material, plane(b).material);
+    }
+    Approach approach(const Ball<Real>& a, const Ball<Real>& b, const Real& t) const
+    {
+        return {a.shadow, b.shadow, scene_.gravity, static_cast<double>(t)};
+    }
+
+    void stop(const char* what, const std::vector<BodyId>& who, const Real& t)
+    {
+        reason_ = reference::reason(scene_, what, who, static_cast<double>(t));
+        stopped_at_ = t;
+    }
+
+    /// Contacts that are closed at the start: noted, and if gravity presses a still sphere on a plane, persistent.
+    void start(BodyId i)
+    {
+        Ball<Real>& ball = balls_[i];
+        for (BodyId j = 0; j < i; ++j) {
+            const double tolerance = declared_tie * std::min(ball.shadow.radius, balls_[j].shadow.radius);
+            if (approach(ball, balls_[j], 0).apart(tolerance)) continue;
+            const Vector<Real> r = ball.flight.x - balls_[j].flight.x;
+            if (sqrt(dot(r, r)) - ball.radius - balls_[j].radius <= tolerance) declared_.emplace(j, i);
+        }
+        const Real slow = still * rest_thresholds(scene_).closing_speed + still_rounding * size(ball.flight.v);
+        for (BodyId p = count(); p < bodies() && !stopped(); ++p) {
+            const Face<Real> f = face(p, ball);
+            if (abs(f.gap(ball.flight.x)) > declared_tie * ball.radius) continue;
+            declared_.emplace(i, p);
+            if (abs(dot(f.n, ball.flight.v)) <= slow && dot(f.n, gravity_) < -1e-30 * size(gravity_)) settle(i, p, 0);
+        }
+    }
+
+    /// Time from now to the next contact of sphere i with body j, if there is one.
+    std::optional<Real> contact_in(BodyId i, BodyId j, const Real& now)
+    {
+        const Flight<Real>& f = balls_[i].flight;
+        const Vector<Real> x = f.position(now), v = f.velocity(now);
+        if (j < count()) {
+            const Flight<Real>& other = balls_[j].flight;
+            const Real sum = balls_[i].radius + balls_[j].radius;
+            return sphere_contact<Real>(x - other.position(now), v - other.velocity(now), sum, root_solves);
+        }
+        const Face<Real> p = face(j, balls_[i]);
+        return plane_contact(snapped(p.gap(x), balls_[i].radius), snapped(dot(p.n, v), size(v)),
+                             snapped(dot(p.n, f.a), size(gravity_)), root_solves);
+    }
+
+    /// The earliest contact of sphere i with a plane or one of the first spheres. Planes first: they shorten the
+    /// horizon.
+    void predict(BodyId i, const Real& now, BodyId spheres)
+    {
+        Ball<Real>& ball = balls_[i];
+        ball.partner = no_body;
+        ball.next = until_;
+        double horizon = static_cast<double>(Real(until_ - now));
+        const BodyId planes = bodies() - count();
+        for (BodyId k = 0; k < planes + spheres; ++k) {
+            const BodyId j = k < planes ? count() + k : k - planes;
+            if (j == i || j == support_) continue;
+            if (j < count() && approach(ball, balls_[j], now).misses(horizon)) continue;
+            const std::optional<Real> dt = contact_in(i, j, now);
+            if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) continue;
+            ball.next = now + *dt;
+            ball.partner = j;
+            horizon = static_cast<double>(*dt);
+        }
+    }
+
+    /// A third body in contact with i at time t that approaches it before or after i changes its velocity.
+    BodyId also_touched(BodyId i, BodyId other, const Real& t, const Vector<Real>& after) const
+    {
+        const Ball<Real>& ball = balls_[i];
+        const Vector<Real> x = ball.flight.position(t), before = ball.flight.velocity(t);
+        for (BodyId j = 0; j < bodies(); ++j) {
+            if (j == i || j == other || j == support_) continue;
+            const bool declared = declared_.count({std::min(i, j), std::max(i, j)}) > 0;
+            const double tolerance = (declared ? declared_tie : tie) * ball.shadow.radius;
+            Vector<Real> n, v;
+            Real gap;
+            if (j >= count()) {
+                const Face<Real> f = face(j, ball);
+                n = f.n;
+                gap = f.gap(x);
+            } else {
+                if (approach(ball, balls_[j], t).apart(tolerance)) continue;
+                n = x - balls_[j].flight.position(t);
+                v = balls_[j].flight.velocity(t);
+                gap = sqrt(dot(n, n)) - ball.radius - balls_[j].radius;
+            }
+            const Real noise = -1e-30 * size(n) * (size(before) + size(after));
+            if (gap <= tolerance && std::min<Real>(dot(n, before - v), dot(n, after - v)) < noise) return j;
+        }
+        return no_body;
+    }
+
+    /// The pair law of IMPACTS 1, in which e, alpha and attenuation are exact doubles.
+    void impact(BodyId a, BodyId b, const Real& t)
+    {
+        Ball<Real>& ball = balls_[a];
+        Ball<Real>* other = b < count() ? &balls_[b] : nullptr;
+        const ContactLaw law = law_of(a, b);
+        const Vector<Real> va = ball.flight.velocity(t), vb = other ? other->flight.velocity(t) : Vector<Real>();
+        const Vector<Real> r = other ? ball.flight.position(t) - other->flight.position(t) : face(b, ball).n;
+        if (!other && snapped(dot(va, r), size(va)) >= 0) return settle(a, b, t);
+        const Vector<Real> change = velocity_change<Real>(va - vb, r, law);
+        const Real share = other ? Real(other->mass / (ball.mass + other->mass)) : Real(1);
+        Vector<Real> after = (va - change * share) * law.attenuation;
+        const Vector<Real> after_b = (vb + change * (1 - share)) * law.attenuation;
+
+        BodyId third = also_touched(a, b, t, after);
+        if (third == no_body && other) third = also_touched(b, a, t, after_b);
+        if (support_ != no_body) {  // a slide meets another plane: goes on, or takes off, or would hit both
+            const Vector<Real> n = face(support_, ball).n;
+            const Real w = dot(n, after);
+            if (abs(w) <= still_rounding * size(after))
+                after = after - along(after, n);
+            else if (w < 0)
+                third = support_;
+            else
+                support_ = no_body;
+        }
+        if (third != no_body) return stop("several contacts at one instant", {a, b, third}, t);
+        if (++executed_ > max_impacts) return stop("more than 2000000 impacts", {a, b}, t);
+
+        ball.fly(t, after, support_ == no_body ? gravity_ : ball.flight.a);
+        const bool continued = ball.series >= 0 && series[ball.series].plane == b;
+        if (!continued) {
+            impacts.push_back({static_cast<double>(t), other ? std::min(a, b) : a, other ? std::max(a, b) : b});
+            break_series(ball, t);
+        }
+        if (!other) return bounced(a, b, law, t);
+        other->fly(t, after_b, gravity_);
+        break_series(*other, t);
+    }
+
+    void break_series(Ball<Real>& ball, const Real& t)
+    {
+        if (ball.series >= 0) series[ball.series].end = static_cast<double>(t);
+        ball.series = -1;
+    }
+
+    /// A bounce with e < 1 against the acceleration may begin a series, or end it.
+    void bounced(BodyId a, BodyId b, const ContactLaw& law, const Real& t)
+    {
+        Ball<Real>& ball = balls_[a];
+        const Vector<Real> n = face(b, ball).n;
+        const Real w = dot(n, ball.flight.v), g = -snapped(dot(n, ball.flight.a), size(gravity_)), e = law.restitution;
+        if (e >= 1 || g <= 0 || w * w >= 2 * g * scene_.rest.series_below * ball.radius) return;
+        if (ball.series < 0) {
+            const Real end = t + 2 * w / (g * (1 - e));
+            ball.series = static_cast<std::ptrdiff_t>(series.size());
+            series.push_back({static_cast<double>(t), static_cast<double>(end), a, b, static_cast<double>(w),
+                              law.restitution, static_cast<double>(g)});
+        }
+        if (w * w <= 2 * g * lowest_bounce * ball.radius) settle(a, b, t);
+    }
+
+    /// Persistent contact, of a lone sphere with one plane: what is left of velocity and gravity is along the plane.
+    void settle(BodyId a, BodyId b, const Real& t)
+    {
+        if (count() > 1 || support_ != no_body)
+            return stop("rest that is not of a lone sphere on one plane", {a, b}, t);
+        Ball<Real>& ball = balls_[a];
+        // Infinitely many bounces with friction leave nothing of the velocity along the plane.
+        const bool stuck = ball.series >= 0 && series[ball.series].restitution > 0 && law_of(a, b).tangential < 1;
+        const Vector<Real> n = face(b, ball).n, v = stuck ? Vector<Real>() : ball.flight.velocity(t);
+        const Vector<Real> v_t = v - along(v, n), g_t = gravity_ - along(gravity_, n);
+        ball.fly(t, size(v_t) <= 1e-30 * size(v) ? Vector<Real>() : v_t,
+                 size(g_t) <= 1e-30 * size(gravity_) ? Vector<Real>() : g_t);
+        ball.series = -1;
+        support_ = b;
+    }
+
+    const Scene& scene_;
+    Real until_;
+    Vector<Real> gravity_;
+    std::vector<Ball<Real>> balls_;
+    std::set<std::pair<BodyId, BodyId>> declared_;
+    BodyId support_ = no_body;  ///< plane in persistent contact with a lone sphere
+    std::int64_t executed_ = 0;
+    std::string reason_;
+    Real stopped_at_ = 0;
+};
+
+}  // namespace carom::reference

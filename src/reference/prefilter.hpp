@@ -1,0 +1,59 @@
+/// \file
+/// Which pairs cannot meet, told in double with margins far above its rounding. It only ever saves work.
+#pragma once
+
+#include <carom/types.hpp>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace carom::reference
+{
+
+/// A flight rounded to double.
+struct Shadow {
+    double t = 0, radius = 0;
+    Vec3 x = Vec3::Zero(), v = Vec3::Zero();
+};
+
+/// Relative motion of two spheres under one acceleration, from `now` on, with bounds for what rounding did to it.
+struct Approach {
+    Vec3 r, v;
+    double sum, slack, v_slack;
+
+    Approach(const Shadow& a, const Shadow& b, const Vec3& g, double now) : sum(a.radius + b.radius)
+    {
+        const double ta = now - a.t, tb = now - b.t;
+        const Vec3 xa = a.x + (a.v + g * (ta / 2)) * ta, xb = b.x + (b.v + g * (tb / 2)) * tb;
+        const Vec3 va = a.v + g * ta, vb = b.v + g * tb;
+        r = xa - xb;
+        v = va - vb;
+        constexpr double margin = 1e-12;  // the errors are below 1e-14 of these sums
+        v_slack = margin * (size(va) + size(vb) + size(g) * now);
+        slack = margin * (size(xa) + size(xb) + sum) + v_slack * now;
+    }
+
+    bool apart(double gap) const { return distance() - slack > (sum + gap) * (1 + 1e-9); }
+
+    /// True if the surfaces certainly do not meet within `horizon`: too far, receding, or passing by.
+    bool misses(double horizon) const
+    {
+        const double far = distance(), error = 8 * (slack * size(v) + v_slack * size(r)) + 1e-300;
+        if (far - sum * (1 + 1e-9) - slack > (size(v) + v_slack) * horizon * (1 + 1e-6)) return true;
+        if (r.dot(v) > error) return true;
+        const double moment = r.cross(v).stableNorm();
+        return std::isfinite(moment) && moment - error > sum * (v.stableNorm() + v_slack) * (1 + 1e-9);
+    }
+
+private:
+    /// Between |v| and sqrt(3) |v|.
+    static double size(const Vec3& v) { return v.lpNorm<1>(); }
+    /// |r|, or 0 where its square leaves the range of double.
+    double distance() const
+    {
+        const double square = r.squaredNorm();
+        return square > 1e-290 && square < 1e290 ? std::sqrt(square) : 0;
+    }
+};
+
+}  // namespace carom::reference

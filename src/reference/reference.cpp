@@ -1,0 +1,101 @@
+#include "reference/reference.hpp"
+
+#include "reference/integrator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom
+{
+
+namespace
+{
+
+using Low = reference::Decimal<50>;
+using High = reference::Decimal<100>;
+
+/// Both runs of one scene, side by side.
+struct Twin {
+    reference::Integrator<Low> low;
+    reference::Integrator<High> high;
+    std::size_t spheres;
+
+    void advance(double t)
+    {
+        low.advance(t);
+        high.advance(t);
+    }
+
+    /// States at time t into `states`. \returns 2 max |x50 - x100| plus what rounding them to double adds [length]
+    double sample(double t, std::vector<BodyState>& states)
+    {
+        High apart2 = 0, far2 = 0;
+        for (std::size_t i = 0; i < spheres; ++i) {
+            const reference::Vector<Low> x50 = low.flight(i).position(t);
+            const reference::Flight<High>& f = high.flight(i);
+            const reference::Vector<High> x = f.position(t);
+            const reference::Vector<High> apart = reference::Vector<High>(High(x50.x), High(x50.y), High(x50.z)) - x;
+            apart2 = std::max(apart2, dot(apart, apart));
+            far2 = std::max(far2, dot(x, x));
+            states.push_back({x.rounded(), f.velocity(t).rounded(), high.mode(i, t)});
+        }
+        constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+        const High bound = 2 * sqrt(apart2) + u * sqrt(far2);
+        return std::nextafter(static_cast<double>(bound), std::numeric_limits<double>::infinity());
+    }
+};
+
+/// The earlier stop of the two runs, if one did.
+template <class Run>
+void shorten(Reference& reference, const Run& run)
+{
+    if (!run.stopped() || run.stopped_at() >= reference.until) return;
+    const double t = static_cast<double>(run.stopped_at());
+    reference.until = run.stopped_at() < t ? std::nextafter(t, 0.0) : t;
+    reference.reason = run.reason();
+}
+
+}  // namespace
+
+Reference make_reference(const Scene& scene, double until, std::span<const double> sample_times)
+{
+    Reference result;
+    result.kind = scene.spheres.size() == 1 ? Reference::Kind::closed_form : Reference::Kind::multiprecision;
+    result.until = until;
+    double limit = std::numeric_limits<double>::infinity();
+    for (const Sphere& s : scene.spheres) limit = std::min(limit, 1e-6 * s.radius);
+
+    Twin twin{{scene, until}, {scene, until}, scene.spheres.size()};
+    double good = 0;
+    // The end is looked at like a sample: what lies between the last sample and it is covered by a bound, too.
+    for (std::size_t k = 0; k <= sample_times.size(); ++k) {
+        const bool end = k == sample_times.size() || sample_times[k] > until;
+        const double t = end ? until : sample_times[k];
+        twin.advance(t);
+        shorten(result, twin.low);
+        shorten(result, twin.high);
+        if (t > result.until) break;
+        std::vector<BodyState> states;
+        const double bound = twin.sample(t, states);
+        if (!(bound <= limit)) {
+            result.until = good;
+            result.reason = "the bound exceeds 1e-6 of the smallest radius" + reference::at_time(t);
+            break;
+        }
+        good = t;
+        if (end) break;
+        result.sample_times.push_back(t);
+        result.bounds.push_back(bound);
+        result.bound = std::max(result.bound, bound);
+        result.samples.push_back(std::move(states));
+    }
+    result.impacts = std::move(twin.high.impacts);
+    std::erase_if(result.impacts, [&](const ReferenceImpact& impact) { return impact.time > result.until; });
+    result.series = std::move(twin.high.series);
+    std::erase_if(result.series, [&](const ReferenceSeries& series) { return series.start > result.until; });
+    result.root_solves = twin.high.root_solves;
+    return result;
+}
+
+}  // namespace carom

@@ -1,0 +1,212 @@
+#include <catch2/catch.hpp>
+
+#include "reference_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace carom;
+using namespace carom::test;
+
+TEST_CASE("Equal masses that meet head-on swap their velocities", "[reference]")
+{
+    Scene scene;
+    scene.spheres = {ball("a", {0, 0, 0}, {2, 0, 0}, 3, 0.5), ball("b", {3, 0, 0}, {-1, 0, 0}, 3, 0.5)};
+    const Reference ref = run_to(scene, 2);
+    REQUIRE(ref.impacts.size() == 1);
+    CHECK(ref.impacts[0].time == Approx(2.0 / 3).epsilon(1e-16));
+    CHECK(ref.impacts[0].a == 0);
+    CHECK(ref.impacts[0].b == 1);
+    CHECK(ref.samples[0][0].velocity == Vec3(-1, 0, 0));
+    CHECK(ref.samples[0][1].velocity == Vec3(2, 0, 0));
+    CHECK(ref.kind == Reference::Kind::multiprecision);
+    CHECK(ref.reason.empty());
+    CHECK(ref.root_solves == 1);
+}
+
+TEST_CASE("An oblique impact follows the pair law with restitution, tangential factor and attenuation", "[reference]")
+{
+    // Contact along x with an offset: 3-4-5 triangle, r1 + r2 = 5, at t = 1.
+    Scene scene;
+    scene.materials = {Material{"steel", 1, 0.25, ""}};
+    scene.spheres = {ball("a", {-6, 4, 0}, {3, 0, 0}, 1, 2), ball("b", {0, 0, 0}, {0, 0, 0}, 3, 3)};
+    const Vec3 u(-0.6, 0.8, 0), v(3, 0, 0), v_n = u * u.dot(v), v_t = v - v_n;
+    const auto check = [&](double e, double alpha, double attenuation) {
+        const Reference ref = run_to(scene, 2);
+        REQUIRE(ref.impacts.size() == 1);
+        CHECK(ref.impacts[0].time == 1);
+        const Vec3 change = (1 + e) * v_n + (1 - alpha) * v_t;  // of the relative velocity; 3/4 of it for a, 1/4 for b
+        CHECK((ref.samples[0][0].velocity - attenuation * (v - 0.75 * change)).norm() < 1e-15);
+        CHECK((ref.samples[0][1].velocity - attenuation * 0.25 * change).norm() < 1e-15);
+    };
+    check(1, 1, 1);  // a material's tangential factor does not act between spheres
+    ContactRule rule;
+    rule.restitution = 0.5;
+    rule.tangential = 0.25;
+    scene.contacts = {rule};
+    check(0.5, 0.25, 1);
+    scene.contacts[0].attenuation = 0.75;
+    check(0.5, 0.25, 0.75);
+}
+
+TEST_CASE("A pass at exactly the sum of the radii is no impact, one ulp less is", "[reference]")
+{
+    Scene scene;
+    scene.spheres = {ball("a", {-4, 1, 0}, {1, 0, 0}, 1, 0.5), ball("b", {0, 0, 0}, {0, 0, 0}, 1, 0.5)};
+    CHECK(run_to(scene, 8).impacts.empty());
+    scene.spheres[0].position.y() = std::nextafter(1.0, 0.0);
+    const Reference ref = run_to(scene, 8);
+    REQUIRE(ref.impacts.size() == 1);
+    CHECK(ref.impacts[0].time == Approx(4 - std::sqrt(0x1p-52)).epsilon(1e-15).margin(0));
+}
+
+TEST_CASE("Two balls, a wall and masses 1 : 100^k collide floor(10^k pi) times", "[reference]")
+{
+    const std::size_t expected[] = {3, 31, 314, 3141};
+    for (int k = 0; k < 4; ++k) {
+        const Reference ref = run_to(counting_pi(k), 1000);
+        CHECK(ref.impacts.size() == expected[k]);
+        CHECK(ref.reason.empty());
+    }
+}
+
+TEST_CASE("Two spheres under gravity meet as without it, and bounce on the floor", "[reference]")
+{
+    Scene scene;
+    scene.gravity = {0, 0, -2};
+    scene.spheres = {ball("low", {0, 0, 2}, {0, 0, 0}, 3, 0.5), ball("high", {0, 0, 4}, {0, 0, 0}, 1, 0.5)};
+    scene.planes = {plane("floor", {0, 0, 1}, 0)};
+    // The lower one is at the floor at sqrt(1.5), goes up, and meets the other, 1 above it, at relative speed 2
+    // sqrt(6).
+    const double t1 = std::sqrt(1.5), t2 = t1 + 1 / (2 * std::sqrt(6.0));
+    const Reference ref = run_to(scene, t2 + 0.01);
+    REQUIRE(ref.impacts.size() == 2);
+    CHECK(ref.impacts[0].time == Approx(t1).epsilon(1e-15));
+    CHECK(ref.impacts[1].time == Approx(t2).epsilon(1e-15));
+    CHECK(energy(scene, ref.samples[0]) == Approx(2 * (3 * 2 + 4)).epsilon(1e-15));
+}
+
+TEST_CASE("A gas run back from its end returns to its start", "[reference]")
+{
+    Scene scene = gas(3, 0.3, {0, 0, -1});
+    const Scene start = scene;
+    const double t = 0.5;
+    const Reference forth = run_to(scene, t);
+    REQUIRE(forth.samples.size() == 1);
+    CHECK(forth.impacts.size() > 40);
+    CHECK(energy(scene, forth.samples[0]) == Approx([&] {
+                                                 std::vector<BodyState> states;
+                                                 for (const auto& s : scene.spheres)
+                                                     states.push_back({s.position, s.velocity, Mode::flying});
+                                                 return energy(scene, states);
+                                             }())
+                                                 .epsilon(1e-14));
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+        scene.spheres[i].position = forth.samples[0][i].position;
+        scene.spheres[i].velocity = -forth.samples[0][i].velocity;
+    }
+    const Reference back = run_to(scene, t);
+    REQUIRE(back.samples.size() == 1);
+    CHECK(back.impacts.size() == forth.impacts.size());
+    double error = 0;
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+        error = std::max(error, (back.samples[0][i].position - start.spheres[i].position).norm());
+    CHECK(error < 1e-12);
+    CHECK(error > 0);  // the turning point was rounded to double, and chaos shows it
+}
+
+TEST_CASE("The bound is rounding while the two precisions agree, and ends a chaotic run", "[reference]")
+{
+    Scene scene = gas(3, 0.25);
+    std::vector<double> times;
+    for (int k = 0; k <= 400; ++k) times.push_back(k * 0.1);
+    const Reference ref = make_reference(scene, 40, times);
+    REQUIRE(ref.samples.size() > 10);
+    CHECK(ref.bounds.front() < 2e-16);
+    CHECK(ref.bounds[10] < 2e-16);
+    CHECK(ref.until < 40);
+    CHECK(ref.until == ref.sample_times.back());
+    CHECK(ref.reason.find("bound") != std::string::npos);
+    CHECK(ref.bound <= 1e-7);
+    CHECK(ref.bound == *std::max_element(ref.bounds.begin(), ref.bounds.end()));
+    CHECK(ref.impacts.back().time <= ref.until);
+}
+
+TEST_CASE("A smaller end changes nothing of what comes before it", "[reference]")
+{
+    const Scene scene = gas(3, 0.3);
+    const std::vector<double> times{0, 0.25, 0.5};
+    const Reference small = make_reference(scene, 0.3, times), large = make_reference(scene, 0.5, times);
+    CHECK(small.sample_times == std::vector<double>{0, 0.25});
+    CHECK(large.samples.size() == 3);
+    REQUIRE(large.impacts.size() > small.impacts.size());
+    for (std::size_t k = 0; k < small.impacts.size(); ++k) {
+        CHECK(small.impacts[k].time == large.impacts[k].time);
+        CHECK(small.impacts[k].a == large.impacts[k].a);
+        CHECK(small.impacts[k].b == large.impacts[k].b);
+    }
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+        CHECK(small.samples[1][i].position == large.samples[1][i].position);
+}
+
+TEST_CASE("What needs a simultaneous solve or rest among several ends the reference", "[reference]")
+{
+    SECTION("a ball into a touching row")
+    {
+        Scene scene;
+        scene.spheres = {ball("ball-1", {-2, 0, 0}, {1, 0, 0}, 1, 0.5), ball("ball-2", {0, 0, 0}, {0, 0, 0}, 1, 0.5),
+                         ball("ball-3", {1 + 1e-10, 0, 0}, {0, 0, 0}, 1, 0.5)};
+        const Reference ref = run_to(scene, 3);
+        CHECK(ref.until == 1);
+        CHECK(ref.reason == "several contacts at one instant: ball-1, ball-2, ball-3 at t = 1");
+        // Not in contact, although close: a sequence of impacts.
+        scene.spheres[2].position.x() = 1 + 1e-8;
+        CHECK(run_to(scene, 3).impacts.size() == 2);
+    }
+    SECTION("a symmetric hit of two that do not touch each other")
+    {
+        Scene scene;
+        scene.spheres = {ball("cue", {-3, 0, 0}, {1, 0, 0}, 1, 0.5), ball("up", {0, 0.75, 0}, {0, 0, 0}, 1, 0.5),
+                         ball("down", {0, -0.75, 0}, {0, 0, 0}, 1, 0.5)};
+        CHECK(run_to(scene, 5).reason.find("several contacts at one instant: cue, up, down") == 0);
+    }
+    SECTION("declared contacts that nothing presses are fine")
+    {
+        Scene scene;
+        scene.gravity = {0, 0, -1};
+        scene.spheres = {ball("a", {0, 0, 9}, {0, 0, 0}, 1, 0.5), ball("b", {1, 0, 9}, {0, 0, 0}, 1, 0.5)};
+        const Reference ref = run_to(scene, 1);
+        CHECK(ref.reason.empty());
+        CHECK(ref.impacts.empty());
+        CHECK(ref.samples[0][1].position == Vec3(1, 0, 8.5));
+    }
+    SECTION("rest on the floor of one of several, at the start and later")
+    {
+        Scene scene;
+        scene.gravity = {0, 0, -1};
+        scene.materials[0].restitution = 0.5;
+        scene.planes = {plane("floor", {0, 0, 1}, 0)};
+        scene.spheres = {ball("a", {0, 0, 0.5}, {0, 0, 0}, 1, 0.5), ball("b", {3, 0, 9}, {0, 0, 0}, 1, 0.5)};
+        const std::vector<double> times{0, 1};
+        const Reference at_start = make_reference(scene, 1, times);
+        CHECK(at_start.until == 0);
+        CHECK(at_start.samples.size() == 1);
+        CHECK(at_start.reason.find("a, floor at t = 0") != std::string::npos);
+        scene.spheres[0].position.z() = 1;
+        const Reference later = make_reference(scene, 9, times);
+        CHECK(later.until == Approx(3).epsilon(1e-15));  // h = 1/2, g = 1: rest at sqrt(2h/g)(1+e)/(1-e)
+        CHECK(later.reason.find("rest") == 0);
+        CHECK(later.series.size() == 1);
+        CHECK(later.samples[1][0].mode == Mode::flying);
+    }
+    SECTION("inelastic collapse")
+    {
+        Scene scene;
+        scene.materials[0].restitution = 0.05;
+        scene.spheres = {ball("a", {-3, 0, 0}, {1, 0, 0}, 1, 0.5), ball("b", {0, 0, 0}, {0, 0, 0}, 1, 0.5),
+                         ball("c", {4, 0, 0}, {-1, 0, 0}, 1, 0.5)};
+        const Reference ref = run_to(scene, 9);
+        CHECK(ref.until < 9);
+        CHECK(ref.reason.find("several contacts at one instant") == 0);
+    }
+}
