@@ -1,0 +1,73 @@
+#include "stepping/driver.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace carom::stepping
+{
+
+namespace
+{
+
+std::string text(double value)
+{
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.9g", value);
+    return buffer;
+}
+
+}  // namespace
+
+std::string option_problem(const StepOptions& options, double until)
+{
+    if (!(options.dt > 0) || !std::isfinite(options.dt)) return "dt must be > 0 and finite, is " + text(options.dt);
+    if (options.substeps < 1) return "substeps must be at least 1, is " + std::to_string(options.substeps);
+    if (options.passes < 1) return "passes must be at least 1, is " + std::to_string(options.passes);
+    if (!(until >= 0) || !std::isfinite(until)) return "until must be >= 0 and finite, is " + text(until);
+    return "";
+}
+
+std::string divergence_message(const Scene& scene, std::size_t sphere, double time)
+{
+    return "diverged: the position of sphere \"" + scene.spheres[sphere].id + "\" is not finite at t = " + text(time);
+}
+
+std::string limit_message(const char* what, double time, double until)
+{
+    return "stopped by " + std::string(what) + " at t = " + text(time) + " of " + text(until);
+}
+
+Outcome collect(const System& system, Outcome outcome)
+{
+    outcome.counts.impacts = system.impacts.count();
+    outcome.counts.pair_tests = system.detector.tests;
+    outcome.counts.root_solves = system.root_solves;
+    outcome.plane_impulses = system.impacts.plane_impulses();
+    outcome.max_penetration = system.max_penetration;
+    outcome.rest_times.resize(system.bodies.size());
+    outcome.final.resize(system.bodies.size());
+    for (std::size_t i = 0; i < system.bodies.size(); ++i)
+        outcome.final[i] = {system.bodies.position[i], system.bodies.velocity[i], Mode::flying};
+    return outcome;
+}
+
+Watch::Watch(const RunOptions& options, const Observer& observer, std::size_t spheres)
+    : options_(options), observer_(observer)
+{
+    // Often enough for large scenes, whose substeps take milliseconds; seldom enough for small ones to cost nothing.
+    constexpr std::int64_t longest_period = 64;
+    constexpr std::int64_t spheres_between = 65536;
+    period_ = std::clamp<std::int64_t>(spheres_between / static_cast<std::int64_t>(spheres + 1), 1, longest_period);
+}
+
+Status Watch::ask(double time) const
+{
+    if (observer_.on_progress && !observer_.on_progress(time)) return Status::interrupted;
+    if (std::isfinite(options_.max_seconds)) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+        if (elapsed.count() > options_.max_seconds) return Status::time_limit;
+    }
+    return Status::reached_end;
+}
+
+}  // namespace carom::stepping

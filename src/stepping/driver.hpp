@@ -1,0 +1,92 @@
+/// \file
+/// Steps, samples, counts and limits: the part of a run that all discrete methods share.
+#pragma once
+
+#include "stepping/sampler.hpp"
+#include "stepping/system.hpp"
+
+#include <carom/simulate.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <string>
+
+namespace carom::stepping
+{
+
+/// What is wrong with the options, empty if nothing.
+std::string option_problem(const StepOptions& options, double until);
+std::string divergence_message(const Scene& scene, std::size_t sphere, double time);
+std::string limit_message(const char* what, double time, double until);
+/// The outcome from the state as it is.
+Outcome collect(const System& system, Outcome outcome);
+
+/// Decides now and then whether a run goes on.
+class Watch
+{
+public:
+    Watch(const RunOptions& options, const Observer& observer, std::size_t spheres);
+    /// reached_end to go on, else why to stop.
+    Status look(std::int64_t substeps, double time)
+    {
+        return substeps % period_ == 0 ? ask(time) : Status::reached_end;
+    }
+
+private:
+    Status ask(double time) const;
+
+    const RunOptions& options_;
+    const Observer& observer_;
+    std::int64_t period_;  ///< in substeps
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// \tparam Stepper has advance(System&, const Substep&) and finish(System&).
+template <class Stepper>
+Outcome drive(const Scene& scene, const StepOptions& options, const RunOptions& run, const Observer& observer,
+              System& system, Stepper& stepper)
+{
+    const double until = std::isnan(run.until) ? scene.end_time : run.until;
+    Outcome outcome;
+    outcome.message = option_problem(options, until);
+    if (!outcome.message.empty()) {
+        outcome.status = Status::unresolved;
+        return collect(system, outcome);
+    }
+    const auto stop = [&](Status status, std::string message) {
+        stepper.finish(system);
+        outcome.status = status;
+        outcome.message = std::move(message);
+        return collect(system, outcome);
+    };
+    const Timeline timeline(until, options.dt, options.substeps);
+    Sampler sampler(observer);
+    Watch watch(run, observer, system.bodies.size());
+    sampler.show_initial(system.bodies);
+    for (std::int64_t step = 0; step < timeline.steps(); ++step) {
+        for (int k = 0; k < options.substeps; ++k) {
+            if (outcome.counts.steps >= run.max_events)
+                return stop(Status::event_limit, limit_message("the limit of substeps", outcome.time, until));
+            const Substep substep = timeline.substep(step, k);
+            const bool sampled = sampler.due(substep.end);
+            if (sampled) sampler.keep(system.bodies);
+            stepper.advance(system, substep);
+            system.impacts.close();
+            ++outcome.counts.steps;
+            outcome.time = substep.end;
+            const std::size_t diverged = first_diverged(system.bodies);
+            if (diverged < system.bodies.size())
+                return stop(Status::unresolved, divergence_message(scene, diverged, substep.end));
+            if (sampled) sampler.show(substep, system.bodies);
+            const Status status = watch.look(outcome.counts.steps, substep.end);
+            if (status == Status::interrupted)
+                return stop(status, limit_message("a request to stop", substep.end, until));
+            if (status == Status::time_limit)
+                return stop(status, limit_message("the limit of wall-clock time", substep.end, until));
+        }
+    }
+    stepper.finish(system);
+    return collect(system, outcome);
+}
+
+}  // namespace carom::stepping

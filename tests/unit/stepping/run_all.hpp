@@ -1,0 +1,55 @@
+/// \file
+/// The four discrete methods behind one name each, for tests that go over all of them.
+#pragma once
+
+#include "stepping/stepping.hpp"
+
+#include <type_traits>
+#include <variant>
+
+namespace carom::test
+{
+
+inline StepOptions steps(double dt, int substeps = 1, int passes = 1)
+{
+    StepOptions options;
+    options.dt = dt;
+    options.substeps = substeps;
+    options.passes = passes;
+    return options;
+}
+
+inline RunOptions until(double time)
+{
+    RunOptions options;
+    options.until = time;
+    return options;
+}
+
+/// Any discrete method. \pre not EventDriven.
+inline Outcome run_discrete(const Scene& scene, const Method& method, const RunOptions& options,
+                            const Observer& observer = {})
+{
+    return std::visit(
+        [&](const auto& m) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(m)>, EventDriven>) {
+                return Outcome{};
+            } else {
+                return run_stepping(scene, m, options, observer);
+            }
+        },
+        method);
+}
+
+inline std::vector<Method> all_discrete(const StepOptions& options)
+{
+    return {PositionBased{options}, VelocityBased{options}, Bisection{options}, Naive{options}};
+}
+
+/// All but naive.
+inline std::vector<Method> all_serious(const StepOptions& options)
+{
+    return {PositionBased{options}, VelocityBased{options}, Bisection{options}};
+}
+
+}  // namespace carom::test
