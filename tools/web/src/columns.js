@@ -1,0 +1,54 @@
+// The columns of compare.csv: heading, unit, and what each means. Table, glossary and axis names all read from here.
+
+const length = (u) => u.length ?? "";
+const speed = (u) => (u.length && u.time ? `${u.length}/${u.time}` : "");
+const time = (u) => u.time ?? "";
+const seconds = () => "s";
+const none = () => "";
+
+export const COLUMNS = [
+  { key: "method", title: "method", kind: "text", unit: none, text: "How the scene was simulated. “event” is exact in time and takes no step." },
+  { key: "dt", title: "step dt", kind: "step", unit: time, text: "Length of a time step; none for the event-driven method." },
+  { key: "substeps", title: "substeps", kind: "count", unit: none, text: "Equal parts into which each step is cut." },
+  { key: "passes", title: "passes", kind: "count", unit: none, text: "How often the contacts are visited in a substep." },
+  { key: "cpu_seconds", title: "CPU time", kind: "number", unit: seconds, text: "Processor time of one run without recording: the median of the repeats." },
+  { key: "cpu_min", title: "CPU time, least", kind: "number", unit: seconds, text: "The fastest repeat." },
+  { key: "cpu_max", title: "CPU time, most", kind: "number", unit: seconds, text: "The slowest repeat." },
+  { key: "position_rms", title: "position error, rms", kind: "number", unit: length, text: "Distance to the reference: root mean square over spheres and sample times." },
+  { key: "position_max", title: "position error, greatest", kind: "number", unit: length, text: "Distance to the reference: the greatest over spheres and sample times." },
+  { key: "position_final_rms", title: "final position error, rms", kind: "number", unit: length, text: "Distance to the reference at the end: root mean square over spheres." },
+  { key: "position_final_max", title: "final position error", kind: "number", unit: length, text: "Distance to the reference at the end: the sphere that is worst." },
+  { key: "velocity_rms", title: "velocity error, rms", kind: "number", unit: speed, text: "Difference of velocity to the reference: root mean square over spheres and sample times." },
+  { key: "energy_error", title: "energy error", kind: "number", unit: none, text: "Greatest difference of energy to the reference, divided by the reference’s greatest kinetic energy." },
+  { key: "max_penetration", title: "deepest penetration", kind: "number", unit: length, text: "Deepest overlap seen; for discrete methods at the end of a substep, before correction." },
+  { key: "missed_impacts", title: "missed impacts", kind: "count", unit: none, text: "Impacts of the reference that the method did not notice." },
+  { key: "invented_impacts", title: "invented impacts", kind: "count", unit: none, text: "Impacts of the method that the reference does not have." },
+  { key: "impacts", title: "impacts", kind: "count", unit: none, text: "Contacts that got an impulse." },
+  { key: "rest_jitter", title: "jitter at rest", kind: "number", unit: speed, text: "Root mean square speed of bodies that rest in the reference." },
+  { key: "divergence_time", title: "divergence time", kind: "number", unit: time, text: "First sample at which some sphere is further than a hundredth of the smallest radius from the reference; empty if never." },
+  { key: "reference_bound", title: "reference bound", kind: "number", unit: length, text: "How far the reference itself may be off. Errors below it are not resolved." },
+  { key: "steps", title: "steps", kind: "count", unit: none, text: "Time steps taken, substeps counted." },
+  { key: "root_solves", title: "root solves", kind: "count", unit: none, text: "Contact times computed by solving for a root: work that does not depend on the machine." },
+  { key: "pair_tests", title: "pair tests", kind: "count", unit: none, text: "Pairs of bodies examined: work that does not depend on the machine." },
+  { key: "status", title: "status", kind: "text", unit: none, text: "How the run ended; “reached_end” is the good one." },
+];
+
+export const COLUMN = Object.fromEntries(COLUMNS.map((column) => [column.key, column]));
+
+/** What the work-precision diagram may draw upwards, the first by default. `bounded`: the reference's bound is in the same quantity. */
+export const ERRORS = [
+  { key: "position_final_max", name: "position error at the end", option: "position, at the end (worst sphere)", bounded: true },
+  { key: "position_rms", name: "position error, rms", option: "position, rms over time", bounded: true },
+  { key: "position_max", name: "greatest position error", option: "position, greatest over time", bounded: true },
+  { key: "velocity_rms", name: "velocity error, rms", option: "velocity, rms over time" },
+  { key: "energy_error", name: "energy error, relative", option: "energy, relative" },
+  { key: "max_penetration", name: "deepest penetration", option: "penetration, deepest" },
+];
+
+/** What it may draw to the right. */
+export const WORKS = [
+  { key: "cpu_seconds", name: "CPU time of one run", option: "CPU time", seconds: true },
+  { key: "steps", name: "steps taken", option: "steps" },
+  { key: "root_solves", name: "roots solved", option: "root solves" },
+  { key: "pair_tests", name: "pairs tested", option: "pair tests" },
+];

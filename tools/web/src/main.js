@@ -1,0 +1,95 @@
+// The page: verdicts in words, then what they rest on.
+
+import { h } from "./dom.js";
+import { formatNumber, formatQuantity } from "./format.js";
+import { missedFigure } from "./missed_chart.js";
+import { glossary, rowsTable } from "./table.js";
+import { timeFigure } from "./time_chart.js";
+import { viewFigure } from "./view.js";
+import { workFigure } from "./work_chart.js";
+
+const FORMAT = "carom-page/1";
+const KINDS = { closed_form: "closed form", multiprecision: "independent multiprecision integrator" };
+
+/** What may be absent is made empty, so that nothing later has to ask. */
+function complete(comparison, index) {
+  return { title: `Comparison ${index + 1}`, description: "", verdict: [], rows: [], ...comparison, units: comparison.units ?? {}, reference: comparison.reference ?? {}, id: `comparison-${index + 1}` };
+}
+
+function verdictBox(comparison) {
+  const [first, ...others] = comparison.verdict;
+  if (!first) return null;
+  return h("div", { class: "verdict", role: "note", "aria-label": "Verdict" },
+    h("p", { class: "lead" }, first), others.length ? h("ul", {}, ...others.map((text) => h("li", {}, text))) : null);
+}
+
+function referenceLine({ reference, until, units, rows }) {
+  const unit = units.length ? ` ${units.length}` : "";
+  const parts = [`${rows.length} runs`];
+  if (until !== undefined && until !== null) parts.push(`compared up to t = ${formatQuantity(until, units.time ?? "", 4)}`);
+  if (reference.kind) parts.push(`reference: ${KINDS[reference.kind] ?? reference.kind}${reference.bound > 0 ? `, off by ${formatNumber(reference.bound, 2)}${unit} at most` : ""}`);
+  if (reference.reason) parts.push(`the reference ends there: ${reference.reason}`);
+  return h("p", { class: "facts" }, parts.join(" · "));
+}
+
+function section(comparison, alone) {
+  const { units } = comparison;
+  const parts = [
+    workFigure(comparison),
+    viewFigure(comparison),
+    timeFigure(comparison, {
+      quantity: "energy_error", title: "Energy error over time", axisName: "energy error, relative", unit: "",
+      caption: "Energy less the reference’s, over its greatest kinetic energy; the logarithmic scale shows the magnitude.",
+    }),
+    timeFigure(comparison, {
+      quantity: "penetration", title: "Penetration over time", axisName: "deepest overlap", unit: units.length ?? "",
+      caption: "How deep the deepest overlap is: sphere in sphere or in a plane. Rigid bodies have none.",
+    }),
+    timeFigure(comparison, {
+      quantity: "position_max", title: "Position error over time", axisName: "greatest position error", unit: units.length ?? "",
+      caption: "Distance of the worst sphere from where the reference has it.",
+    }),
+    missedFigure(comparison),
+    rowsTable(comparison),
+  ].filter(Boolean);
+  return h("section", { id: comparison.id, "aria-labelledby": `${comparison.id}-title` },
+    h(alone ? "h1" : "h2", { id: `${comparison.id}-title` }, comparison.title),
+    comparison.description ? h("p", { class: "description" }, comparison.description) : null,
+    verdictBox(comparison), referenceLine(comparison),
+    h("div", { class: "figures" }, ...parts));
+}
+
+function overview(comparisons) {
+  return [
+    h("header", {}, h("h1", {}, "Comparison of methods"), h("p", { class: "description" }, `${comparisons.length} scenes, each run by several methods and measured against a reference.`)),
+    h("nav", { class: "overview", "aria-label": "Scenes and verdicts" }, h("ul", {}, ...comparisons.map((c) =>
+      h("li", {}, h("a", { href: `#${c.id}` }, c.title), h("span", {}, c.verdict[0] ?? ""))))),
+  ];
+}
+
+function build(data) {
+  const comparisons = (data.comparisons ?? []).map(complete);
+  const alone = comparisons.length === 1;
+  document.title = `${alone ? comparisons[0].title : "Comparison of methods"} – carom`;
+  return [
+    ...(comparisons.length > 1 ? overview(comparisons) : []),
+    ...comparisons.map((c) => section(c, alone)),
+    comparisons.length ? glossary() : h("p", {}, "This page holds no comparison."),
+    h("footer", {}, `Written by ${data.generator ?? "carom"}. Everything on this page is in this one file.`),
+  ];
+}
+
+function start() {
+  const main = document.getElementById("page");
+  try {
+    const data = JSON.parse(document.getElementById("carom-data").textContent);
+    if (data.format !== FORMAT) throw new Error(`its data are “${data.format}”, it can show “${FORMAT}”`);
+    main.replaceChildren(...build(data));
+  } catch (error) {
+    main.replaceChildren(h("p", { class: "failure" }, `This page cannot be shown: ${error.message}`));
+    throw error;
+  }
+  window.addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((d) => { d.open = true; }));
+}
+
+start();

@@ -1,0 +1,167 @@
+// The page's helpers, and the built page if CAROM_PAGE names it:  node --test test.mjs
+
+import assert from "node:assert/strict";
+import { existsSync, readFileSync } from "node:fs";
+import test from "node:test";
+import { examplePage } from "./example.mjs";
+import { COLUMNS } from "./src/columns.js";
+import { toCsv } from "./src/csv.js";
+import { decodeTrack, frameAt, positionsAt } from "./src/decode.js";
+import { escapeHtml, formatDecade, formatNumber, formatQuantity, formatStep, powerOfTen, slug } from "./src/format.js";
+import { placeLabels, spread } from "./src/labels.js";
+import { logAxis } from "./src/logaxis.js";
+import { groupRows, rowLabel, stepLabel, stepsOf } from "./src/rows.js";
+import { methodStyle, SYMBOLS } from "./src/styles.js";
+
+const CSV_COLUMNS = "method,dt,substeps,passes,cpu_seconds,cpu_min,cpu_max,position_rms,position_max,position_final_rms,position_final_max,velocity_rms,energy_error," +
+  "max_penetration,missed_impacts,invented_impacts,impacts,rest_jitter,divergence_time,reference_bound,steps,root_solves,pair_tests,status";
+
+test("numbers are written as people write them", () => {
+  assert.equal(formatNumber(0), "0");
+  assert.equal(formatNumber(0.123456), "0.123");
+  assert.equal(formatNumber(1.04e-15), "1.04 × 10⁻¹⁵");
+  assert.equal(formatNumber(1e-40), "10⁻⁴⁰");
+  assert.equal(formatNumber(-2.5e-7), "−2.5 × 10⁻⁷");
+  assert.equal(formatNumber(1234), "1234");
+  assert.equal(formatNumber(null), "–");
+  assert.equal(formatNumber(NaN), "–");
+});
+
+test("seconds and metres take prefixes, other units none", () => {
+  assert.equal(formatQuantity(3.2e-3, "s"), "3.2 ms");
+  assert.equal(formatQuantity(1e-6, "s"), "1 µs");
+  assert.equal(formatQuantity(10, "s"), "10 s");
+  assert.equal(formatQuantity(9.9999e-4, "s"), "1 ms");
+  assert.equal(formatQuantity(0.02, "m"), "20 mm");
+  assert.equal(formatQuantity(1020, "m"), "1.02 km");
+  assert.equal(formatQuantity(1e-15, "m"), "10⁻¹⁵ m");
+  assert.equal(formatQuantity(0, "m"), "0 m");
+  assert.equal(formatQuantity(0.02, "ft"), "0.02 ft");
+  assert.equal(formatQuantity(0.02), "0.02");
+});
+
+test("ticks and steps", () => {
+  assert.equal(powerOfTen(-7), "10⁻⁷");
+  assert.equal(powerOfTen(0), "1");
+  assert.equal(formatDecade(-5, true), "10 µs");
+  assert.equal(formatDecade(-5, false), "10⁻⁵");
+  assert.equal(formatStep(1 / 240), "1/240");
+  assert.equal(formatStep(1 / 60), "1/60");
+  assert.equal(formatStep(0.001), "0.001");
+  assert.equal(formatStep(null), "");
+});
+
+test("CSV quotes what needs it and keeps every digit", () => {
+  assert.equal(toCsv(["a", "b,c"], [[0.1 + 0.2, 'say "x"'], [null, undefined]]), 'a,"b,c"\r\n0.30000000000000004,"say ""x"""\r\n,\r\n');
+  assert.equal(slug("Bullet & plate: 1 km!"), "bullet-plate-1-km");
+  assert.equal(slug("…"), "carom");
+  assert.equal(escapeHtml(`<b>"&'`), "&#60;b&#62;&#34;&#38;&#39;");
+});
+
+test("zeros lie on a marked floor, a decade below the smallest value", () => {
+  const axis = logAxis([0, 3e-7, 2e-3]);
+  assert.equal(axis.floor, 1e-8);
+  assert.equal(axis.place(0), -8);
+  assert.ok(axis.floored(0) && !axis.floored(3e-7));
+  assert.equal(axis.place(-2e-3), Math.log10(2e-3));
+  assert.equal(axis.floorTick, -8);
+  assert.equal(axis.floorName, "0");
+  assert.ok(axis.min < -8 && axis.max > Math.log10(2e-3));
+});
+
+test("values below a bound that is near are drawn at the bound", () => {
+  const axis = logAxis([3e-14, 1e-9, 0], { bound: 1e-12 });
+  assert.ok(axis.boundShown);
+  assert.equal(axis.floor, 1e-12);
+  assert.equal(axis.place(3e-14), -12);
+  assert.equal(axis.place(0), -12);
+  assert.equal(axis.floorTick, null);
+});
+
+test("a bound far below the data does not stretch the axis", () => {
+  const axis = logAxis([1e-15, 1e-2], { bound: 1e-40 });
+  assert.ok(!axis.boundShown);
+  assert.equal(axis.floor, null);
+  assert.ok(axis.min > -18);
+});
+
+test("an axis without a positive value still has ticks", () => {
+  for (const values of [[], [0, 0], [null, NaN], [5]]) {
+    const axis = logAxis(values);
+    assert.ok(Number.isFinite(axis.min) && Number.isFinite(axis.max) && axis.max - axis.min >= 1.9);
+    assert.ok(axis.ticks.length >= 1);
+    assert.ok(Number.isFinite(axis.place(0)) || !values.includes(0));
+  }
+});
+
+test("only so many decades are shown", () => {
+  const axis = logAxis([1, 1e-3, 1e-30], { decades: 18 });
+  assert.equal(axis.floor, 1e-4);
+  assert.ok(axis.floored(1e-30));
+  assert.equal(axis.floorName, "≈ 0");
+});
+
+test("rows are grouped by method, and by substeps where a method has several", () => {
+  const rows = [
+    { method: "event", dt: null }, { method: "pbd", dt: 0.001, substeps: 1, label: "pbd, dt = 1/1000" }, { method: "pbd", dt: 0.01, substeps: 1 }, { method: "pbd", dt: 0.01, substeps: 4 },
+  ];
+  const groups = groupRows(rows);
+  assert.deepEqual(groups.map((g) => g.name), ["event", "pbd, 1 substeps", "pbd, 4 substeps"]);
+  assert.deepEqual(groups[1].rows.map((r) => r.index), [2, 1]);
+  assert.equal(rowLabel(rows[0]), "event");
+  assert.equal(stepLabel(rows[1]), "1/1000");
+  assert.deepEqual(stepsOf(rows).map((s) => s.label), ["0.01", "1/1000"]);
+});
+
+test("every method has a symbol and a dash of its own", () => {
+  const styles = ["event", "pbd", "velocity", "bisection", "naive", "moreau", "penalty"].map((m) => methodStyle(m));
+  assert.equal(new Set(styles.map((s) => s.symbol)).size, styles.length);
+  assert.equal(new Set(styles.map((s) => s.dash.join())).size, styles.length);
+  for (const name of ["event", "unheard-of", "constructor"]) for (const variant of [0, 1, 2]) assert.ok(SYMBOLS[methodStyle(name, variant).symbol]);
+});
+
+test("a track is decoded as little-endian and read between frames", () => {
+  const view = { min: [0, -1], max: [10, 1], radius: [1], times: [0, 1, 3] };
+  const bytes = Buffer.from(Uint16Array.from([0, 0, 0x1234, 32768, 65535, 65535]).buffer);
+  const words = decodeTrack(bytes.toString("base64"));
+  assert.deepEqual([...words], [0, 0, 0x1234, 32768, 65535, 65535]);
+  assert.deepEqual(frameAt(view.times, 2), { frame: 1, part: 0.5 });
+  assert.deepEqual(frameAt(view.times, 9), { frame: 2, part: 0 });
+  const [at] = positionsAt(view, words, 1);
+  assert.ok(Math.abs(at.x - (10 * 0x1234) / 65535) < 1e-12 && !at.outside);
+  assert.ok(positionsAt(view, words, 3)[0].outside);
+});
+
+test("labels cover neither each other nor points", () => {
+  const points = [[100, 100], [112, 100], [105, 108]];
+  const items = points.map(([x, y]) => ({ x, y, width: 40, reach: 8, required: true }));
+  const solid = points.map(([x, y]) => ({ x: x - 5, y: y - 5, width: 10, height: 10 }));
+  const boxes = placeLabels(items, solid, [], { x: 0, y: 0, width: 300, height: 300 });
+  const all = [...boxes, ...solid];
+  for (const a of boxes) for (const b of all) if (a !== b) assert.ok(a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y);
+  assert.deepEqual(spread([50, 50, 51], 0, 300, 15), [50, 65, 80]);
+  assert.deepEqual(spread([299, 300], 0, 300, 15), [285, 300]);
+});
+
+test("columns are those of compare.csv, in its order", () => {
+  assert.equal(COLUMNS.map((c) => c.key).join(), CSV_COLUMNS);
+});
+
+test("the example keeps to the format", () => {
+  const page = examplePage(["ball", "bullet"]);
+  for (const { rows, series, missed, view, until } of page.comparisons) {
+    for (const row of rows) assert.deepEqual(Object.keys(row).filter((k) => k !== "label").join(), CSV_COLUMNS);
+    assert.equal(new Set(rows.map((r) => r.label)).size, rows.length);
+    for (const s of series) for (const key of ["energy_error", "penetration", "position_max"]) assert.equal(s[key].length, s.time.length);
+    for (const m of missed) assert.ok(m.times.length === m.names.length && m.times.every((t) => t <= until) && m.times.length === rows[m.row].missed_impacts);
+    for (const t of view.tracks) assert.equal(decodeTrack(t.data).length, view.times.length * view.radius.length * 2);
+  }
+});
+
+test("the built page is one file", { skip: !existsSync(process.env.CAROM_PAGE ?? "") }, () => {
+  const page = readFileSync(process.env.CAROM_PAGE, "utf8");
+  assert.equal(page.split("@CAROM_DATA@").length, 2);
+  assert.equal(page.match(/<script/g).length, page.match(/<\/script/g).length);
+  assert.doesNotMatch(page, /<link|<iframe|(src|href)=["']?(https?:)?\/\/|@import|url\(["']?(https?:|\/\/)/);
+  assert.ok(page.length < 1_000_000);
+});
