@@ -1,0 +1,143 @@
+/// \file
+/// Studies: one run with its figures, and the comparison of methods by error against run time.
+#pragma once
+
+#include <carom/metrics.hpp>
+#include <carom/simulate.hpp>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carom
+{
+
+/// Equal intervals at which studies look at a run (CONTRACT: 200).
+inline constexpr std::size_t study_intervals = 200;
+
+struct RunStudyOptions {
+    RunOptions run;
+    std::size_t intervals = study_intervals;     ///< >= 1
+    std::function<void(const Event&)> on_event;  ///< may be empty; its time counts as the run's
+    std::function<bool(double)> on_progress;     ///< may be empty; false interrupts
+};
+
+/// One run and its figures. Non-finite figures are possible where a discrete method blows up; writers turn them into
+/// null.
+struct RunStudy {
+    std::string method;
+    Outcome outcome;
+    double initial_energy = 0, final_energy = 0;  ///< [mass length^2/time^2]
+    std::optional<double>
+        max_relative_drift;  ///< max |E-E0| / max kinetic energy over samples; none where energy is not kept
+    Vec3 initial_momentum = Vec3::Zero(), final_momentum = Vec3::Zero();  ///< [mass length/time]
+    double max_penetration = 0;  ///< event: at impacts and samples; discrete: before correction [length]
+    std::int64_t escaped = 0;    ///< at the end
+    std::vector<std::optional<double>>
+        plane_forces;         ///< mean normal force per plane, resting included; none for a run of no length
+    double cpu_seconds = 0;   ///< of this thread, without the time that looking at samples took [s]
+    double wall_seconds = 0;  ///< likewise [s]
+};
+
+RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options = {});
+
+/// Where a comparison has come to.
+struct CompareProgress {
+    std::string what;     ///< "reference", "pbd dt 1/240", ...
+    double fraction = 0;  ///< of all rows, in [0, 1]
+};
+
+struct CompareOptions {
+    std::vector<std::string> methods;         ///< as `make_method`; duplicates are run twice
+    std::vector<double> dt;                   ///< for discrete methods [time]
+    std::vector<int> substeps{1}, passes{1};  ///< every combination is run
+    StepOptions step;                         ///< order, literal, seed for all
+    double until = 0;                         ///< > 0 [time]
+    int repeats = 3;                          ///< unrecorded runs for the time, >= 1
+    double repeat_seconds = 5;                ///< fewer repeats where they would take longer than this for one row [s]
+    std::optional<double> tolerance;  ///< position error that the verdict asks for [length]; none: `default_tolerance`
+    std::size_t intervals = study_intervals;
+    std::function<bool(const CompareProgress&)> on_progress;  ///< may be empty; false interrupts
+};
+
+/// An impact of the reference that a method missed, or one of the method's that never was.
+struct ImpactMismatch {
+    double time = 0;                  ///< since the start [time]
+    BodyId a = no_body, b = no_body;  ///< as in Event
+};
+
+/// What the page draws of a row, at the sample times up to the end of the row's run.
+struct RowSeries {
+    std::vector<double>
+        energy_error;  ///< (E-E_ref) / max kinetic energy of the reference; as far as the reference goes
+    std::vector<double> position_max;  ///< [length]; as far as the reference goes
+    std::vector<double> penetration;   ///< of the sampled state [length]
+    std::vector<double> energy;        ///< total energy [mass length^2/time^2]
+    /// [sample][sphere] centres, empty for scenes of more than `max_track_spheres` [length].
+    std::vector<std::vector<std::array<float, 3>>> tracks;
+};
+inline constexpr std::size_t max_track_spheres = 300;
+inline constexpr std::size_t max_listed_mismatches = 200;  ///< of each kind and row
+
+/// One line of compare.csv. Optional figures are those that the comparison cannot give (see CONTRACT section 4).
+struct CompareRow {
+    std::string method;
+    std::optional<double> dt;                          ///< none for `event` [time]
+    std::optional<int> substeps, passes;               ///< none for `event`
+    double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median and spread of `repeats` unrecorded runs [s]
+    int repeats = 0;  ///< 0: the recorded run alone was timed, it was too long to repeat
+    std::optional<double> position_rms, position_max;  ///< up to the end of the reference [length]
+    std::optional<double> position_final_rms,
+        position_final_max;              ///< at `until`; none if reference or run ends before [length]
+    std::optional<double> velocity_rms;  ///< [length/time]
+    std::optional<double> energy_error;  ///< max |E-E_ref| / max kinetic energy of the reference
+    double max_penetration = 0;          ///< [length]
+    std::int64_t missed_impacts = 0, invented_impacts = 0;  ///< up to divergence_time
+    std::int64_t reference_impacts = 0;                     ///< that could have been missed
+    std::int64_t impacts = 0;
+    std::optional<double> rest_jitter;      ///< none if nothing rests in the reference [length/time]
+    std::optional<double> divergence_time;  ///< none: never further than 0.01 r_min from the reference [time]
+    double reference_bound = 0;             ///< [length]
+    std::int64_t steps = 0, root_solves = 0, pair_tests = 0;
+    Status status = Status::reached_end;
+    std::string message;  ///< of the run, for people
+    double time = 0;      ///< reached [time]
+    RowSeries series;
+    std::vector<ImpactMismatch> missed, invented;  ///< the first `max_listed_mismatches`
+};
+
+struct ReferenceSummary {
+    std::string kind;    ///< "closed_form" or "multiprecision"
+    double bound = 0;    ///< [length]
+    double until = 0;    ///< valid up to here [time]
+    std::string reason;  ///< why it ends early; empty if it does not
+    std::int64_t impacts = 0, series = 0;
+    std::vector<double> sample_times;                       ///< [time]
+    std::vector<std::vector<std::array<float, 3>>> tracks;  ///< as RowSeries::tracks
+    double cpu_seconds = 0;                                 ///< [s]
+};
+
+struct Comparison {
+    double until = 0;                  ///< end asked for [time]
+    double tolerance = 0;              ///< [length]
+    bool interrupted = false;          ///< rows are those finished before
+    std::vector<double> sample_times;  ///< all, up to `until` [time]
+    ReferenceSummary reference;
+    std::vector<CompareRow> rows;
+    std::vector<std::string> verdict;  ///< sentences; the first says which method is right and by how much
+};
+
+/// 1 mm where the scene's unit of length is "m" and that lies within [1e-4, 0.5] of the smallest radius, otherwise 0.01
+/// of the smallest radius [length].
+double default_tolerance(const Scene& scene);
+
+/// Reference, then for each method and step one recorded run (errors), then unrecorded ones (time).
+/// \pre the scene is valid, options in range. \throws InputError for unknown method names.
+Comparison compare_methods(const Scene& scene, const CompareOptions& options);
+
+/// What the rows say, in plain English, for a tolerance of `comparison.tolerance`.
+std::vector<std::string> verdict(const Scene& scene, const Comparison& comparison);
+
+}  // namespace carom

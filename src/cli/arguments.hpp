@@ -1,0 +1,70 @@
+/// \file
+/// What the command line says, as data. Nothing here reads a file or runs anything.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carom::cli
+{
+
+struct GlobalArguments {
+    bool json = false, quiet = false, verbose = false, no_progress = false;
+    std::optional<std::uint64_t> seed;
+};
+
+/// Options that a scene can give defaults for, as typed: name with `_` for `-`, and text.
+using GivenOptions = std::map<std::string, std::string>;
+
+struct RunArguments {
+    std::string scene;
+    GivenOptions given;  ///< method, dt, substeps, passes, order, literal, until, max_events, max_seconds
+    bool always_final = false, allow_overlap = false;
+    std::string out;     ///< folder for run.json; may be empty
+    std::string events;  ///< CSV file; may be empty
+};
+
+struct CompareArguments {
+    std::string scene;
+    GivenOptions given;  ///< methods, dt, substeps, passes, order, literal, until, repeats, tolerance
+    bool allow_overlap = false;
+    std::string out;  ///< folder; empty: out/compare-NAME
+};
+
+struct ReportArguments {
+    std::vector<std::string> folders;
+    std::string out;  ///< HTML file; empty: FOLDER/report.html for one folder, out/report.html for several
+};
+
+struct ScenesArguments {
+    std::string show;  ///< scene to show; empty: list all
+};
+
+enum class Command { run, compare, report, scenes };
+
+struct Arguments {
+    GlobalArguments global;
+    Command command = Command::run;
+    RunArguments run;
+    CompareArguments compare;
+    ReportArguments report;
+    ScenesArguments scenes;
+};
+
+/// The arguments, or what to print and return instead: help, version, a usage error.
+struct ParseResult {
+    std::optional<Arguments> arguments;
+    int exit_code = 0;
+    std::string out, err;
+};
+
+/// \param args without the program's name
+ParseResult parse_arguments(const std::vector<std::string>& args);
+
+/// Why these arguments belong to a later version, if they do: "tunnel: not yet ...".
+std::optional<std::string> later_feature(const std::vector<std::string>& args);
+
+}  // namespace carom::cli

@@ -1,0 +1,188 @@
+#include "cli/choices.hpp"
+
+#include "cli/exit_codes.hpp"
+#include "cli/lists.hpp"
+
+#include <carom/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace carom::cli
+{
+
+namespace
+{
+
+std::string text_of(const OptionValue& value)
+{
+    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+    if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+    if (const std::string* text = std::get_if<std::string>(&value)) return *text;
+    std::string list;
+    for (const std::string& item : std::get<std::vector<std::string>>(value)) list += (list.empty() ? "" : ",") + item;
+    return list;
+}
+
+double positive(double value, const std::string& text)
+{
+    if (!(value > 0)) throw std::invalid_argument("\"" + text + "\" must be > 0");
+    return value;
+}
+
+long long at_least_one(const std::string& text)
+{
+    constexpr long long most = 1'000'000'000'000'000;  // a double holds it exactly
+    return parse_integer(text, 1, most);
+}
+
+std::string known_method(const std::string& word)
+{
+    const std::vector<std::string>& known = method_names();
+    if (std::find(known.begin(), known.end(), word) != known.end()) return word;
+    if (word == "moreau" || word == "penalty") throw std::invalid_argument(word + ": not yet");
+    throw std::invalid_argument(fmt::format("unknown method \"{}\" (take {})", word, fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+Choices::Choices(const GivenOptions& given, const CommandDefaults& defaults, std::string place)
+    : given_(given), place_(std::move(place))
+{
+    for (const auto& [key, value] : defaults) defaults_[key] = text_of(value);
+}
+
+template <typename T, typename Parse>
+T Choices::read(const std::string& name, T otherwise, Parse parse) const
+{
+    if (const auto typed = given_.find(name); typed != given_.end()) try {
+            return parse(typed->second);
+        } catch (const std::invalid_argument& error) {
+            std::string option = name;
+            std::replace(option.begin(), option.end(), '_', '-');
+            throw UsageError("--" + option + ": " + error.what());
+        }
+    if (const auto written = defaults_.find(name); written != defaults_.end()) try {
+            return parse(written->second);
+        } catch (const std::invalid_argument& error) {
+            throw InputError({place_ + "/" + name + ": " + error.what()});
+        }
+    return otherwise;
+}
+
+double Choices::number(const std::string& name, double otherwise) const
+{
+    return read(name, otherwise, [](const std::string& text) { return positive(parse_number(text), text); });
+}
+
+long long Choices::integer(const std::string& name, long long otherwise) const
+{
+    return read(name, otherwise, at_least_one);
+}
+
+std::vector<double> Choices::numbers(const std::string& name, std::vector<double> otherwise) const
+{
+    return read(name, std::move(otherwise), [](const std::string& text) {
+        std::vector<double> values = parse_list(text);
+        for (const double value : values) positive(value, text);
+        return values;
+    });
+}
+
+std::vector<int> Choices::integers(const std::string& name, std::vector<int> otherwise) const
+{
+    return read(name, std::move(otherwise), [](const std::string& text) {
+        std::vector<int> values;
+        for (const std::string& word : parse_words(text))
+            values.push_back(static_cast<int>(parse_integer(word, 1, std::numeric_limits<int>::max())));
+        return values;
+    });
+}
+
+std::vector<std::string> Choices::methods(const std::string& name, std::vector<std::string> otherwise) const
+{
+    return read(name, std::move(otherwise), [](const std::string& text) {
+        std::vector<std::string> words = parse_words(text);
+        for (const std::string& word : words) known_method(word);
+        return words;
+    });
+}
+
+ContactOrder Choices::order() const
+{
+    return read("order", ContactOrder::index, [](const std::string& text) {
+        try {
+            return contact_order(text);
+        } catch (const InputError& error) {
+            throw std::invalid_argument(error.what());
+        }
+    });
+}
+
+bool Choices::flag(const std::string& name) const
+{
+    return read(name, false, [](const std::string& text) {
+        if (text != "true" && text != "false") throw std::invalid_argument("\"" + text + "\" must be true or false");
+        return text == "true";
+    });
+}
+
+bool Choices::has(const std::string& name) const
+{
+    return given_.contains(name) || defaults_.contains(name);
+}
+
+void Choices::expect_known(const std::vector<std::string>& known) const
+{
+    std::vector<std::string> problems;
+    for (const auto& each : defaults_)
+        if (std::find(known.begin(), known.end(), each.first) == known.end())
+            problems.push_back(fmt::format("{}/{}: unknown or not yet known option (take {})", place_, each.first,
+                                           fmt::join(known, ", ")));
+    if (!problems.empty()) throw InputError(problems);
+}
+
+RunSettings run_settings(const RunArguments& args, const GlobalArguments& global, const Scene& scene,
+                         const std::string& file)
+{
+    const Choices choices(args.given, scene.run, file + ": /run");
+    choices.expect_known(
+        {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds"});
+    StepOptions step;
+    step.dt = choices.number("dt", step.dt);
+    step.substeps = choices.integers("substeps", {step.substeps}).front();
+    step.passes = choices.integers("passes", {step.passes}).front();
+    step.order = choices.order();
+    step.literal = choices.flag("literal");
+    step.seed = global.seed.value_or(scene.seed);
+    RunSettings settings{make_method(choices.methods("method", {"event"}).front(), step), {}};
+    settings.run.until = choices.number("until", scene.end_time);
+    settings.run.max_events = choices.integer("max_events", settings.run.max_events);
+    settings.run.max_seconds = choices.number("max_seconds", settings.run.max_seconds);
+    return settings;
+}
+
+CompareOptions compare_settings(const CompareArguments& args, const GlobalArguments& global, const Scene& scene,
+                                const std::string& file)
+{
+    const Choices choices(args.given, scene.compare, file + ": /compare");
+    choices.expect_known({"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance"});
+    CompareOptions options;
+    options.methods = choices.methods("methods", method_names());
+    options.dt = choices.numbers("dt", {1.0 / 60, 1.0 / 240, 1.0 / 1000});
+    options.substeps = choices.integers("substeps", options.substeps);
+    options.passes = choices.integers("passes", options.passes);
+    options.step.order = choices.order();
+    options.step.literal = choices.flag("literal");
+    options.step.seed = global.seed.value_or(scene.seed);
+    options.until = choices.number("until", scene.end_time);
+    constexpr long long most_repeats = 1'000'000;
+    options.repeats = static_cast<int>(std::min(choices.integer("repeats", options.repeats), most_repeats));
+    if (choices.has("tolerance")) options.tolerance = choices.number("tolerance", 0);
+    return options;
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,57 @@
+/// \file
+/// Options from the command line, else from the scene's defaults for the command, else built in.
+#pragma once
+
+#include "cli/arguments.hpp"
+
+#include <carom/method.hpp>
+#include <carom/scene.hpp>
+#include <carom/study.hpp>
+
+#include <string>
+#include <vector>
+
+namespace carom::cli
+{
+
+/// Looks an option up and reads its value. What the user typed wrongly throws UsageError, what the scene says wrongly
+/// InputError with the place.
+class Choices
+{
+public:
+    /// `place` is the scene's file and the pointer of `defaults`, for messages: "ball.json: /compare".
+    Choices(const GivenOptions& given, const CommandDefaults& defaults, std::string place);
+
+    double number(const std::string& name, double otherwise) const;                             ///< > 0
+    long long integer(const std::string& name, long long otherwise) const;                      ///< >= 1
+    std::vector<double> numbers(const std::string& name, std::vector<double> otherwise) const;  ///< each > 0
+    std::vector<int> integers(const std::string& name, std::vector<int> otherwise) const;       ///< each >= 1
+    std::vector<std::string> methods(const std::string& name,
+                                     std::vector<std::string> otherwise) const;  ///< known ones
+    ContactOrder order() const;
+    bool flag(const std::string& name) const;
+    bool has(const std::string& name) const;
+
+    /// \throws InputError if the defaults name an option that is not among `known`.
+    void expect_known(const std::vector<std::string>& known) const;
+
+private:
+    template <typename T, typename Parse>
+    T read(const std::string& name, T otherwise, Parse parse) const;
+
+    const GivenOptions& given_;
+    GivenOptions defaults_;
+    std::string place_;
+};
+
+struct RunSettings {
+    Method method;
+    RunOptions run;
+};
+RunSettings run_settings(const RunArguments& args, const GlobalArguments& global, const Scene& scene,
+                         const std::string& file);
+
+CompareOptions compare_settings(const CompareArguments& args, const GlobalArguments& global, const Scene& scene,
+                                const std::string& file);
+
+}  // namespace carom::cli

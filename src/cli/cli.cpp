@@ -1,0 +1,92 @@
+#include "cli/cli.hpp"
+
+#include "cli/exit_codes.hpp"
+
+#include <carom/error.hpp>
+#include <carom/io.hpp>
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+#ifndef CAROM_SCENE_DIR
+#define CAROM_SCENE_DIR "scenes"
+#endif
+
+namespace carom::cli
+{
+
+namespace
+{
+
+int dispatch(const Arguments& arguments, const Console& console)
+{
+    switch (arguments.command) {
+        case Command::run:
+            return do_run(arguments.run, arguments.global, console);
+        case Command::compare:
+            return do_compare(arguments.compare, arguments.global, console);
+        case Command::report:
+            return do_report(arguments.report, arguments.global, console);
+        case Command::scenes:
+            return do_scenes(arguments.scenes, arguments.global, console);
+    }
+    return exit_usage;
+}
+
+bool wants_color()
+{
+    const char* no_color = std::getenv("NO_COLOR");
+    return isatty(STDERR_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
+}
+
+}  // namespace
+
+std::filesystem::path scene_folder()
+{
+    const char* folder = std::getenv("CAROM_SCENES");
+    return folder != nullptr && *folder != '\0' ? folder : CAROM_SCENE_DIR;
+}
+
+Scene read_with_options(const std::filesystem::path& file, bool allow_overlap, const GlobalArguments& global)
+{
+    ReadOptions options;
+    options.allow_overlap = allow_overlap;
+    options.seed = global.seed;
+    return read_scene(file, options);
+}
+
+int run_cli(const std::vector<std::string>& args, const Console& console)
+{
+    const ParseResult parsed = parse_arguments(args);
+    if (!parsed.arguments) {
+        console.out << parsed.out;
+        console.err << parsed.err;
+        return parsed.exit_code;
+    }
+    try {
+        return dispatch(*parsed.arguments, console);
+    } catch (const UsageError& error) {
+        print_error(console, error.what());
+        return exit_usage;
+    } catch (const InputError& error) {
+        for (const std::string& problem : error.problems()) print_error(console, problem);
+        return exit_bad_input;
+    } catch (const std::exception& error) {
+        print_error(console, std::string("failed: ") + error.what());
+        return exit_failed;
+    }
+}
+
+int run_cli(int argc, char** argv)
+{
+    const Console console{std::cout, std::cerr, isatty(STDERR_FILENO) != 0, wants_color()};
+    const std::vector<std::string> args(argv + (argc > 0 ? 1 : 0), argv + argc);
+    const int code = run_cli(args, console);
+    std::cout.flush();
+    return std::cout ? code : static_cast<int>(exit_failed);
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,52 @@
+#include "cli/arguments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace carom::cli
+{
+
+namespace
+{
+
+constexpr std::array<std::string_view, 8> later_commands{"tunnel",  "stress", "verify", "check",
+                                                         "explain", "view",   "export", "query"};
+constexpr std::string_view query_service = "toi";
+constexpr std::array<std::string_view, 7> later_options{"--certified",  "--impact", "--guard",      "--kernel",
+                                                        "--save-state", "--set",    "--equilibrate"};
+constexpr std::array<std::string_view, 2> later_scene_commands{"validate", "schema"};
+
+template <typename List>
+bool contains(const List& list, std::string_view word)
+{
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+std::string refusal(std::string_view what)
+{
+    return std::string(what) + ": not yet (planned, see the contract)";
+}
+
+}  // namespace
+
+std::optional<std::string> later_feature(const std::vector<std::string>& args)
+{
+    std::vector<std::string_view> words;  // commands and scenes: all but options and the value of --seed
+    for (std::size_t i = 0; i < args.size(); ++i) {
+        const std::string_view arg = args[i];
+        if (arg == "--") break;
+        if (contains(later_options, arg.substr(0, arg.find('=')))) return refusal(arg.substr(0, arg.find('=')));
+        if (arg == "--seed")
+            ++i;
+        else if (!arg.starts_with("-"))
+            words.push_back(arg);
+    }
+    if (words.empty()) return std::nullopt;
+    if (contains(later_commands, words[0]) || words[0] == query_service) return refusal(words[0]);
+    if (words[0] == "scenes" && words.size() > 1 && contains(later_scene_commands, words[1]))
+        return refusal("scenes " + std::string(words[1]));
+    return std::nullopt;
+}
+
+}  // namespace carom::cli

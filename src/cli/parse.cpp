@@ -1,0 +1,170 @@
+#include "cli/arguments.hpp"
+#include "cli/exit_codes.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+#ifndef CAROM_VERSION
+#define CAROM_VERSION "0"
+#endif
+
+namespace carom::cli
+{
+
+namespace
+{
+
+/// An option whose text is kept as typed; values are read later, together with the scene's defaults.
+void add_given(CLI::App& app, GivenOptions& given, const std::string& flag, const std::string& value,
+               const std::string& help)
+{
+    std::string key = flag.substr(flag.find_first_not_of('-'));
+    std::replace(key.begin(), key.end(), '-', '_');
+    app.add_option_function<std::string>(
+           flag, [&given, key](const std::string& text) { given[key] = text; }, help)
+        ->type_name(value);
+}
+
+void add_step_options(CLI::App& app, GivenOptions& given)
+{
+    add_given(app, given, "--order", "ORDER", "Order of contacts in a pass: index, reverse, random, deepest [index]");
+    app.add_flag_callback(
+        "--literal", [&given] { given["literal"] = "true"; },
+        "pbd only: respond to separating contacts too, as the original text says");
+}
+
+void define_run(CLI::App& app, RunArguments& run)
+{
+    app.add_option("scene", run.scene, "Scene file, or a name of the catalogue (carom scenes)")
+        ->required()
+        ->type_name("SCENE");
+    add_given(app, run.given, "--method", "METHOD", "event, pbd, velocity, bisection or naive [event]");
+    add_given(app, run.given, "--dt", "H", "Step of a discrete method; 1/240 is a number [1/240]");
+    add_given(app, run.given, "--substeps", "N", "Substeps of a step [1]");
+    add_given(app, run.given, "--passes", "N", "Passes over the contacts in a substep [1]");
+    add_step_options(app, run.given);
+    add_given(app, run.given, "--until", "T", "End of the run, counted from its start [the scene's end_time]");
+    add_given(app, run.given, "--max-events", "N", "Stop after so many events, or steps of a discrete method [1e9]");
+    add_given(app, run.given, "--max-seconds", "S", "Stop after so many seconds on the clock");
+    app.add_option("--events", run.events, "Write the events to this file")->type_name("FILE.csv");
+    app.add_flag("--final", run.always_final, "Write final states of more than 1000 spheres too");
+    app.add_flag("--allow-overlap", run.allow_overlap, "Let bodies overlap at the start");
+    app.add_option("-o,--out", run.out, "Write DIR/run.json")->type_name("DIR");
+    app.footer(
+        "Examples:\n"
+        "  carom run bouncing_ball\n"
+        "  carom run bouncing_ball --method pbd --dt 1/240 --json\n"
+        "  carom run gas_1000 --until 1 --events gas.csv -o out/gas\n"
+        "Exit: 0 end reached, 1 run failed, 2 usage, 3 bad scene, 5 a limit was reached, 130 interrupted.");
+}
+
+void define_compare(CLI::App& app, CompareArguments& compare)
+{
+    app.add_option("scene", compare.scene, "Scene file, or a name of the catalogue (carom scenes)")
+        ->required()
+        ->type_name("SCENE");
+    add_given(app, compare.given, "--methods", "LIST", "Methods to compare [all]");
+    add_given(app, compare.given, "--dt", "LIST",
+              "Steps: a,b,c or start:stop:logN or start:stop:linN [1/60,1/240,1/1000]");
+    add_given(app, compare.given, "--substeps", "LIST", "Substeps of a step, every one is run [1]");
+    add_given(app, compare.given, "--passes", "LIST", "Passes over the contacts in a substep, every one is run [1]");
+    add_step_options(app, compare.given);
+    add_given(app, compare.given, "--until", "T", "End of the runs, counted from their start [the scene's end_time]");
+    add_given(app, compare.given, "--repeats", "K", "Runs for the time, of which the median counts [3]");
+    add_given(app, compare.given, "--tolerance", "X", "Position error that the verdict asks for [1 mm or 0.01 radius]");
+    app.add_flag("--allow-overlap", compare.allow_overlap, "Let bodies overlap at the start");
+    app.add_option("-o,--out", compare.out, "Folder for compare.csv, compare.json, report.html [out/compare-NAME]")
+        ->type_name("DIR");
+    app.footer(
+        "Examples:\n"
+        "  carom compare bouncing_ball\n"
+        "  carom compare bullet --methods event,pbd,bisection --dt 1e-5:1/60:log7 -o out/bullet\n"
+        "  carom compare incline --dt 1/60,1/240 --substeps 1,4 --tolerance 1e-4 --json");
+}
+
+void define_report(CLI::App& app, ReportArguments& report)
+{
+    app.add_option("folders", report.folders, "Folders that compare wrote")->required()->type_name("DIR...");
+    app.add_option("-o,--out", report.out, "The page [DIR/report.html; out/report.html for several]")
+        ->type_name("F.html");
+    app.footer(
+        "Examples:\n"
+        "  carom report out/compare-bouncing_ball out/compare-bullet -o out/all.html");
+}
+
+void define_scenes(CLI::App& app, ScenesArguments& scenes)
+{
+    app.require_subcommand(0, 1);
+    CLI::App* list = app.add_subcommand("list", "The catalogue, one scene a line");
+    list->footer("Examples:\n  carom scenes list\n  carom scenes list --json");
+    CLI::App* show = app.add_subcommand("show", "What a scene contains");
+    show->add_option("scene", scenes.show, "Scene file, or a name of the catalogue")->required()->type_name("SCENE");
+    show->footer("Examples:\n  carom scenes show bouncing_ball\n  carom scenes show bouncing_ball --json");
+    app.footer(
+        "Examples:\n  carom scenes\n  carom scenes show bouncing_ball\n"
+        "Scenes are looked for in the folder that the environment names in CAROM_SCENES, by default the one of the "
+        "build.");
+}
+
+void define_global(CLI::App& app, GlobalArguments& global)
+{
+    app.set_version_flag("--version", std::string("carom ") + CAROM_VERSION);
+    app.add_flag("--json", global.json, "One JSON object on stdout, nothing else");
+    app.add_flag("-q,--quiet", global.quiet, "Nothing on stderr but errors");
+    app.add_flag("-v,--verbose", global.verbose, "Say more on stderr");
+    app.add_flag("--no-progress", global.no_progress, "No progress line");
+    app.add_option("--seed", global.seed, "Seed of every random choice [the scene's]")->type_name("N");
+    app.fallthrough();
+    app.require_subcommand(1);
+    app.failure_message(CLI::FailureMessage::simple);
+    app.footer(
+        "Examples:\n"
+        "  carom scenes\n"
+        "  carom run bouncing_ball\n"
+        "  carom compare bouncing_ball\n"
+        "Each command has its own help: carom run -h. NO_COLOR in the environment turns colours off.");
+}
+
+}  // namespace
+
+ParseResult parse_arguments(const std::vector<std::string>& args)
+{
+    ParseResult result;
+    if (const auto later = later_feature(args)) {
+        result.exit_code = exit_usage;
+        result.err = "carom: " + *later + "\n";
+        return result;
+    }
+    Arguments arguments;
+    CLI::App app("Exact-contact simulation of rigid spheres among planes, and what a time step costs against it",
+                 "carom");
+    define_global(app, arguments.global);
+    CLI::App* run = app.add_subcommand("run", "Run a scene with one method");
+    define_run(*run, arguments.run);
+    CLI::App* compare = app.add_subcommand("compare", "Error against run time of several methods and steps");
+    define_compare(*compare, arguments.compare);
+    CLI::App* report = app.add_subcommand("report", "One self-contained page of one or more comparisons");
+    define_report(*report, arguments.report);
+    CLI::App* scenes = app.add_subcommand("scenes", "The catalogue of scenes");
+    define_scenes(*scenes, arguments.scenes);
+
+    try {
+        app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them last first
+    } catch (const CLI::ParseError& error) {
+        std::ostringstream out, err;
+        result.exit_code = app.exit(error, out, err) == 0 ? exit_ok : exit_usage;
+        result.out = out.str();
+        result.err = err.str();
+        return result;
+    }
+    arguments.command = run->parsed()       ? Command::run
+                        : compare->parsed() ? Command::compare
+                        : report->parsed()  ? Command::report
+                                            : Command::scenes;
+    result.arguments = std::move(arguments);
+    return result;
+}
+
+}  // namespace carom::cli

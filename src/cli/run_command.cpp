@@ -1,0 +1,104 @@
+#include "cli/choices.hpp"
+#include "cli/cli.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
+#include "cli/tables.hpp"
+#include "io/events_csv.hpp"
+#include "io/run_json.hpp"
+
+#include <carom/error.hpp>
+#include <carom/io.hpp>
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <optional>
+#include <ostream>
+
+namespace carom::cli
+{
+
+namespace
+{
+
+/// The events file of a run: made before the run, so that a wrong path fails at once.
+class EventsFile
+{
+public:
+    EventsFile(const std::filesystem::path& file, const Scene& scene, const Method& method) : file_(file)
+    {
+        std::error_code ignored;  // the open below tells
+        if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
+        stream_.open(file, std::ios::binary);
+        csv_.emplace(stream_, scene, std::holds_alternative<EventDriven>(method));
+        check();
+    }
+    void write(const Event& event) { csv_->write(event); }
+    void close()
+    {
+        stream_.close();
+        check();
+    }
+
+private:
+    void check() const
+    {
+        if (!stream_) throw InputError({file_.string() + ": cannot be written"});
+    }
+
+    std::filesystem::path file_;
+    std::ofstream stream_;
+    std::optional<io::EventsCsv> csv_;
+};
+
+void explain_settings(const Scene& scene, const std::filesystem::path& file, const RunSettings& settings,
+                      const Console& console)
+{
+    console.err << fmt::format("{}: {} spheres, {} planes, method {}, to t = {:.10g}\n", file.string(),
+                               scene.spheres.size(), scene.planes.size(), name(settings.method), settings.run.until);
+    const RestThresholds rest = rest_thresholds(scene);
+    console.err << fmt::format("rest: closing speed {:.3g}, window {:.3g}, numeric step {:.3g}, gap tolerance {:.3g}\n",
+                               rest.closing_speed, rest.window, rest.numeric_step, rest.gap_tolerance);
+    if (const StepOptions* step = step_options(settings.method))
+        console.err << fmt::format("step: dt {:.10g}, {} substeps, {} passes, order {}, seed {}\n", step->dt,
+                                   step->substeps, step->passes, name(step->order), step->seed);
+}
+
+}  // namespace
+
+int do_run(const RunArguments& args, const GlobalArguments& global, const Console& console)
+{
+    const std::filesystem::path file = find_scene(args.scene, scene_folder());
+    const Scene scene = read_with_options(file, args.allow_overlap, global);
+    const RunSettings settings = run_settings(args, global, scene, file.string());
+    if (global.verbose) explain_settings(scene, file, settings, console);
+
+    std::optional<EventsFile> events;
+    if (!args.events.empty()) events.emplace(args.events, scene, settings.method);
+    const InterruptGuard guard;
+    ProgressLine progress(console, global);
+    RunStudyOptions options;
+    options.run = settings.run;
+    if (events) options.on_event = [&](const Event& event) { events->write(event); };
+    const std::string unit = scene.units.time.empty() ? "time units" : scene.units.time;
+    options.on_progress = [&](double time) {
+        progress.show(fmt::format("t = {:.4g} of {:.4g}", time, settings.run.until), time / settings.run.until, time,
+                      unit);
+        return !guard.interrupted();
+    };
+    const RunStudy run = run_study(scene, settings.method, options);
+    progress.clear();
+    if (events) events->close();
+
+    const std::string json = io::run_json(scene, settings.method, run, {.always_final = args.always_final});
+    if (!args.out.empty()) write_file(std::filesystem::path(args.out) / "run.json", json);
+    console.out << (global.json ? json : run_table(scene, run));
+    const Outcome& outcome = run.outcome;
+    if (outcome.status != Status::reached_end && !global.quiet)
+        print_error(console, fmt::format("{} at t = {:.10g}{}", name(outcome.status), outcome.time,
+                                         outcome.message.empty() ? "" : ": " + outcome.message));
+    return exit_code(outcome.status);
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,22 @@
+/// \file
+/// Results as text for people.
+#pragma once
+
+#include <carom/study.hpp>
+
+#include <string>
+#include <vector>
+
+namespace carom::cli
+{
+
+/// Rows of cells as aligned columns; the first row is the head, the first `left` columns are words.
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left);
+
+/// A run in a dozen lines.
+std::string run_table(const Scene& scene, const RunStudy& run);
+
+/// A comparison, one row a line, then the verdict.
+std::string compare_table(const Scene& scene, const Comparison& comparison);
+
+}  // namespace carom::cli

@@ -1,0 +1,107 @@
+#include "io/run_json.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace carom::io
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;  // dumps numbers that are not finite as null
+
+Json vector_json(const Vec3& v)
+{
+    return {v[0], v[1], v[2]};
+}
+
+Json optional_json(const std::optional<double>& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json counts_json(const Counts& c)
+{
+    return {{"impacts", c.impacts},
+            {"clusters", c.clusters},
+            {"rests", c.rests},
+            {"releases", c.releases},
+            {"guarded", c.guarded},
+            {"cell_crossings", c.cell_crossings},
+            {"list_rebuilds", c.list_rebuilds},
+            {"stale", c.stale},
+            {"pair_tests", c.pair_tests},
+            {"root_solves", c.root_solves},
+            {"steps", c.steps}};
+}
+
+Json step_json(const StepOptions& step)
+{
+    return {{"dt", step.dt},           {"substeps", step.substeps},
+            {"passes", step.passes},   {"order", std::string(name(step.order))},
+            {"literal", step.literal}, {"seed", step.seed}};
+}
+
+Json pressure_json(const Scene& scene, const RunStudy& run)
+{
+    Json planes = Json::object();
+    for (std::size_t p = 0; p < scene.planes.size(); ++p)
+        planes[scene.planes[p].id] = p < run.plane_forces.size() ? optional_json(run.plane_forces[p]) : Json(nullptr);
+    return {{"virial_z", nullptr}, {"planes", planes}};
+}
+
+Json rest_times_json(const Scene& scene, const Outcome& outcome)
+{
+    Json times = Json::object();
+    for (std::size_t i = 0; i < outcome.rest_times.size(); ++i)
+        if (outcome.rest_times[i]) times[scene.spheres[i].id] = *outcome.rest_times[i];
+    return times;
+}
+
+Json final_json(const Scene& scene, const Outcome& outcome)
+{
+    Json states = Json::array();
+    for (std::size_t i = 0; i < outcome.final.size(); ++i) {
+        const BodyState& state = outcome.final[i];
+        states.push_back({{"id", scene.spheres[i].id},
+                          {"position", vector_json(state.position)},
+                          {"velocity", vector_json(state.velocity)},
+                          {"mode", name(state.mode)}});
+    }
+    return states;
+}
+
+}  // namespace
+
+std::string run_json(const Scene& scene, const Method& method, const RunStudy& run, const RunJsonOptions& options)
+{
+    const Outcome& outcome = run.outcome;
+    const StepOptions* step = step_options(method);
+    Json json = {{"format", "carom-run/1"}, {"scene", scene.name}, {"method", run.method}};
+    json["kernel"] = outcome.kernel.empty() ? Json(nullptr) : Json(outcome.kernel);
+    json["number"] = "double";
+    if (step != nullptr) json["step"] = step_json(*step);
+    json["status"] = name(outcome.status);
+    json["message"] = outcome.message;
+    json["time"] = outcome.time;
+    json["spheres"] = scene.spheres.size();
+    json["counts"] = counts_json(outcome.counts);
+    json["energy"] = {{"initial", run.initial_energy},
+                      {"final", run.final_energy},
+                      {"max_relative_drift", optional_json(run.max_relative_drift)}};
+    json["momentum"] = {{"initial", vector_json(run.initial_momentum)}, {"final", vector_json(run.final_momentum)}};
+    json["max_penetration"] = run.max_penetration;
+    json["missed_impacts"] = nullptr;
+    json["escaped"] = run.escaped;
+    json["cpu_seconds"] = run.cpu_seconds;
+    json["wall_seconds"] = run.wall_seconds;
+    json["event_hash"] = step == nullptr ? Json(fmt::format("{:016x}", outcome.event_hash)) : Json(nullptr);
+    json["pressure"] = pressure_json(scene, run);
+    json["rest_times"] = rest_times_json(scene, outcome);
+    if (options.always_final || outcome.final.size() <= max_final_spheres) json["final"] = final_json(scene, outcome);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace carom::io

@@ -1,0 +1,179 @@
+#include "report/page_data.hpp"
+
+#include "report/side_view.hpp"
+#include "study/words.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace carom::report
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;  // dumps numbers that are not finite as null
+
+template <typename T>
+Json optional_json(const std::optional<T>& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
+std::string label(const CompareRow& row)
+{
+    std::string text = row.method;
+    if (row.dt) text += ", dt = " + study::step_text(*row.dt);
+    if (row.substeps.value_or(1) > 1) text += ", " + std::to_string(*row.substeps) + " substeps";
+    if (row.passes.value_or(1) > 1) text += ", " + std::to_string(*row.passes) + " passes";
+    return text;
+}
+
+Json row_json(const CompareRow& row)
+{
+    return {{"method", row.method},
+            {"dt", optional_json(row.dt)},
+            {"substeps", optional_json(row.substeps)},
+            {"passes", optional_json(row.passes)},
+            {"label", label(row)},
+            {"cpu_seconds", row.cpu_seconds},
+            {"cpu_min", row.cpu_min},
+            {"cpu_max", row.cpu_max},
+            {"position_rms", optional_json(row.position_rms)},
+            {"position_max", optional_json(row.position_max)},
+            {"position_final_rms", optional_json(row.position_final_rms)},
+            {"position_final_max", optional_json(row.position_final_max)},
+            {"velocity_rms", optional_json(row.velocity_rms)},
+            {"energy_error", optional_json(row.energy_error)},
+            {"max_penetration", row.max_penetration},
+            {"missed_impacts", row.missed_impacts},
+            {"invented_impacts", row.invented_impacts},
+            {"impacts", row.impacts},
+            {"rest_jitter", optional_json(row.rest_jitter)},
+            {"divergence_time", optional_json(row.divergence_time)},
+            {"reference_bound", row.reference_bound},
+            {"steps", row.steps},
+            {"root_solves", row.root_solves},
+            {"pair_tests", row.pair_tests},
+            {"status", name(row.status)}};
+}
+
+Json series_json(const Comparison& comparison)
+{
+    Json all = Json::array();
+    for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
+        const RowSeries& series = comparison.rows[i].series;
+        const auto& times = comparison.sample_times;
+        // Lines of one length for the page: past the end of the reference there is no error to draw.
+        const std::size_t n = std::min(series.penetration.size(), times.size());
+        std::vector<double> energy = series.energy_error, position = series.position_max;
+        energy.resize(n, std::nan(""));
+        position.resize(n, std::nan(""));
+        all.push_back({{"row", i},
+                       {"time", std::vector<double>(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(n))},
+                       {"energy_error", energy},
+                       {"penetration", series.penetration},
+                       {"position_max", position}});
+    }
+    return all;
+}
+
+Json missed_json(const Scene& scene, const Comparison& comparison)
+{
+    Json all = Json::array();
+    for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
+        std::vector<double> times;
+        std::vector<std::string> names;
+        for (const ImpactMismatch& each : comparison.rows[i].missed) {
+            times.push_back(each.time);
+            names.push_back(scene.body_name(each.a) + " - " + scene.body_name(each.b));
+        }
+        if (!times.empty()) all.push_back({{"row", i}, {"times", times}, {"names", names}});
+    }
+    return all;
+}
+
+/// Planes that are seen edge-on, as lines.
+Json planes_json(const Scene& scene, const SideView& view)
+{
+    constexpr double edge_on = 1e-6;
+    Json all = Json::array();
+    for (const Plane& plane : scene.planes) {
+        const int hidden = 3 - view.axes[0] - view.axes[1];
+        if (std::abs(plane.normal[hidden]) > edge_on) continue;
+        Json normal = Json::array({plane.normal[view.axes[0]], plane.normal[view.axes[1]]});
+        all.push_back({{"normal", normal},
+                       {"offset", plane.offset},
+                       {"thickness", optional_json(plane.thickness)},
+                       {"name", plane.id}});
+    }
+    return all;
+}
+
+std::string color_of(const Scene& scene, const Sphere& sphere)
+{
+    return sphere.color.empty() ? scene.materials[static_cast<std::size_t>(sphere.material)].color : sphere.color;
+}
+
+Json view_json(const Scene& scene, const Comparison& comparison)
+{
+    if (scene.spheres.empty() || scene.spheres.size() > max_track_spheres) return nullptr;
+    constexpr std::size_t many = 100;  // from here on half the frames are enough
+    const std::size_t stride = scene.spheres.size() > many ? 2 : 1;
+    const SideView view = side_view(scene, comparison);
+    static constexpr const char* axis_names[] = {"x", "y", "z"};
+    std::vector<double> radius, times;
+    std::vector<std::string> color, names;
+    for (const Sphere& sphere : scene.spheres) {
+        radius.push_back(sphere.radius);
+        color.push_back(color_of(scene, sphere));
+        names.push_back(sphere.id);
+    }
+    for (std::size_t k = 0; k < comparison.sample_times.size(); k += stride)
+        times.push_back(comparison.sample_times[k]);
+    Json tracks = Json::array();
+    constexpr int reference_row = -1;
+    if (!comparison.reference.tracks.empty())
+        tracks.push_back({{"row", reference_row}, {"data", packed_tracks(view, comparison.reference.tracks, stride)}});
+    for (std::size_t i = 0; i < comparison.rows.size(); ++i)
+        tracks.push_back({{"row", i}, {"data", packed_tracks(view, comparison.rows[i].series.tracks, stride)}});
+    return {{"axes", Json::array({axis_names[view.axes[0]], axis_names[view.axes[1]]})},
+            {"min", view.min},
+            {"max", view.max},
+            {"radius", radius},
+            {"color", color},
+            {"names", names},
+            {"planes", planes_json(scene, view)},
+            {"times", times},
+            {"tracks", tracks}};
+}
+
+}  // namespace
+
+std::string comparison_data(const Scene& scene, const Comparison& comparison)
+{
+    const ReferenceSummary& reference = comparison.reference;
+    Json json = {{"title", scene.name}, {"description", scene.description}};
+    json["units"] = {{"length", scene.units.length}, {"time", scene.units.time}, {"mass", scene.units.mass}};
+    json["verdict"] = comparison.verdict;
+    json["until"] = comparison.until;
+    json["reference"] = {
+        {"kind", reference.kind}, {"bound", reference.bound}, {"until", reference.until}, {"reason", reference.reason}};
+    json["rows"] = Json::array();
+    for (const CompareRow& row : comparison.rows) json["rows"].push_back(row_json(row));
+    json["series"] = series_json(comparison);
+    json["missed"] = missed_json(scene, comparison);
+    json["view"] = view_json(scene, comparison);
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string page_data(std::span<const std::string> comparisons, const std::string& generator)
+{
+    // The comparisons are JSON already: parsing them again would only cost.
+    std::string text = R"({"format":"carom-page/1","generator":)" + Json(generator).dump() + R"(,"comparisons":[)";
+    for (std::size_t i = 0; i < comparisons.size(); ++i) text += (i > 0 ? "," : "") + comparisons[i];
+    return text + "]}";
+}
+
+}  // namespace carom::report

@@ -1,0 +1,194 @@
+#include "study/row.hpp"
+
+#include "study/clock.hpp"
+#include "study/compensated_sum.hpp"
+#include "study/largest.hpp"
+#include "study/matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom::study
+{
+
+double divergence_threshold(const Scene& scene)
+{
+    constexpr double fraction_of_radius = 0.01;
+    return fraction_of_radius * smallest_radius(scene);
+}
+
+namespace
+{
+
+/// How far apart the times of one impact may be in two runs.
+double match_width(const RowTask& task)
+{
+    constexpr double steps = 3;
+    if (const StepOptions* step = step_options(task.method)) return steps * step->dt;
+    // The event method has no step: what is not yet diverged may be early or late by its distance over its speed.
+    double speed = 0;
+    for (const auto& states : task.reference.samples) {
+        const std::vector<BodyState> still(states.size());
+        speed = std::max(speed, velocity_deviation(states, still).rms);
+    }
+    constexpr double of_run = 1e-6;
+    const double drift = speed > 0 ? divergence_threshold(task.scene) / speed : 0;
+    return std::max(of_run * task.run.until, drift);
+}
+
+/// Collects a run as it goes. Sums are over what the reference covers.
+class Recorder
+{
+public:
+    explicit Recorder(const RowTask& task) : task_(task), width_(match_width(task))
+    {
+        for (const auto& states : task.reference.samples)
+            keep_largest(reference_kinetic_, kinetic_energy(task.scene, states));
+    }
+
+    void event(const Event& event)
+    {
+        // Nobody asks about impacts after the divergence; a jittering stack has millions.
+        if (event.time > horizon() + width_) return;
+        if (event.kind == EventKind::impact) found_.push_back({event.time, event.a, event.b});
+        if (event.kind == EventKind::rest) rests_.push_back({event.time, event.a, event.b});
+    }
+
+    void sample(std::size_t k, double time, std::span<const BodyState> states)
+    {
+        series_.energy.push_back(total_energy(task_.scene, states));
+        series_.penetration.push_back(max_penetration(task_.scene, states));
+        if (states.size() <= max_track_spheres) {
+            auto& frame = series_.tracks.emplace_back();
+            for (const BodyState& s : states) {
+                const Eigen::Vector3f x = s.position.cast<float>();
+                frame.push_back({x[0], x[1], x[2]});
+            }
+        }
+        if (k < task_.reference.samples.size()) compare(k, time, states);
+    }
+
+    double horizon() const { return divergence_time_.value_or(task_.reference.until); }
+
+    void finish(CompareRow& row, const Outcome& outcome);
+
+private:
+    void compare(std::size_t k, double time, std::span<const BodyState> states);
+    void match(CompareRow& row, const Outcome& outcome);
+
+    const RowTask& task_;
+    double width_;
+    double reference_kinetic_ = 0;
+    std::vector<FoundImpact> found_, rests_;
+    RowSeries series_;
+    CompensatedSum position_squares_, velocity_squares_, jitter_squares_;
+    double position_max_ = 0, energy_max_ = 0;
+    std::size_t compared_ = 0, resting_ = 0;
+    std::optional<double> divergence_time_;
+    std::optional<Deviation> last_position_;  // at `until`
+};
+
+void Recorder::compare(std::size_t k, double time, std::span<const BodyState> states)
+{
+    const std::vector<BodyState>& truth = task_.reference.samples[k];
+    const Deviation position = position_deviation(states, truth);
+    const Deviation velocity = velocity_deviation(states, truth);
+    position_squares_.add(position.rms * position.rms);
+    velocity_squares_.add(velocity.rms * velocity.rms);
+    keep_largest(position_max_, position.max);
+    const double energy = energy_difference(task_.scene, states, truth) / reference_kinetic_;
+    keep_largest(energy_max_, std::abs(energy));
+    series_.position_max.push_back(position.max);
+    series_.energy_error.push_back(energy);
+    if (!divergence_time_ && !(position.max <= divergence_threshold(task_.scene))) divergence_time_ = time;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        if (truth[i].mode != Mode::resting) continue;
+        jitter_squares_.add(states[i].velocity.squaredNorm());
+        ++resting_;
+    }
+    if (k + 1 == task_.sample_times.size()) last_position_ = position;
+    ++compared_;
+}
+
+void Recorder::match(CompareRow& row, const Outcome& outcome)
+{
+    constexpr double shortest_flight_steps = 4;
+    const StepOptions* step = step_options(task_.method);
+    const ExpectedImpacts expected =
+        expected_impacts(task_.scene, task_.reference, step != nullptr ? shortest_flight_steps * step->dt : 0);
+    // A series that is still going on at the end of the run stands for its bounces as a finished one does.
+    for (auto last = found_.rbegin(); last != found_.rend(); ++last)
+        if (outcome.final[static_cast<std::size_t>(last->a)].mode == Mode::series)
+            rests_.push_back({outcome.time, last->a, last->b});
+    const MatchResult match = match_impacts(expected, found_, rests_, {width_, std::min(horizon(), outcome.time)});
+    row.missed_impacts = match.missed;
+    row.invented_impacts = match.invented;
+    row.reference_impacts = match.expected;
+    row.missed = match.missed_list;
+    row.invented = match.invented_list;
+}
+
+void Recorder::finish(CompareRow& row, const Outcome& outcome)
+{
+    if (compared_ > 0) {
+        const auto n = static_cast<double>(compared_);
+        row.position_rms = std::sqrt(position_squares_.value() / n);
+        row.velocity_rms = std::sqrt(velocity_squares_.value() / n);
+        row.position_max = position_max_;
+        if (reference_kinetic_ > 0) row.energy_error = energy_max_;
+    }
+    if (last_position_) {
+        row.position_final_rms = last_position_->rms;
+        row.position_final_max = last_position_->max;
+    }
+    if (resting_ > 0) row.rest_jitter = std::sqrt(jitter_squares_.value() / static_cast<double>(resting_));
+    row.divergence_time = divergence_time_;
+    row.reference_bound = task_.reference.bound;
+    match(row, outcome);
+    row.max_penetration = outcome.max_penetration;
+    if (std::holds_alternative<EventDriven>(task_.method))
+        for (const double depth : series_.penetration) keep_largest(row.max_penetration, depth);
+    row.series = std::move(series_);
+}
+
+}  // namespace
+
+RecordedRow record_row(const RowTask& task)
+{
+    RecordedRow result;
+    Recorder recorder(task);
+    Stopwatch watch;
+    Observer observer;
+    observer.sample_times = task.sample_times;
+    observer.on_progress = task.on_progress;
+    observer.on_event = [&](const Event& event) { recorder.event(event); };
+    observer.on_sample = [&](std::size_t k, double time, std::span<const BodyState> states) {
+        watch.pause();
+        recorder.sample(k, time, states);
+        watch.resume();
+    };
+    const Outcome outcome = simulate(task.scene, task.method, task.run, observer);
+    watch.pause();
+    result.cpu_seconds = watch.cpu();
+    result.interrupted = outcome.status == Status::interrupted;
+
+    CompareRow& row = result.row;
+    row.method = std::string(name(task.method));
+    if (const StepOptions* step = step_options(task.method)) {
+        row.dt = step->dt;
+        row.substeps = step->substeps;
+        row.passes = step->passes;
+    }
+    recorder.finish(row, outcome);
+    row.impacts = outcome.counts.impacts;
+    row.steps = outcome.counts.steps;
+    row.root_solves = outcome.counts.root_solves;
+    row.pair_tests = outcome.counts.pair_tests;
+    row.status = outcome.status;
+    row.message = outcome.message;
+    row.time = outcome.time;
+    return result;
+}
+
+}  // namespace carom::study

@@ -1,0 +1,56 @@
+#include <carom/study.hpp>
+
+#include "study/clock.hpp"
+#include "study/largest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom
+{
+
+RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options)
+{
+    RunStudy result;
+    result.method = std::string(name(method));
+    const std::vector<BodyState> start = initial_states(scene);
+    const bool event_driven = std::holds_alternative<EventDriven>(method);
+    const double until = std::isnan(options.run.until) ? scene.end_time : options.run.until;
+
+    study::Stopwatch watch;
+    double largest_drift = 0, largest_kinetic = kinetic_energy(scene, start), deepest = 0;
+    const auto look = [&](std::span<const BodyState> states) {
+        study::keep_largest(largest_drift, std::abs(energy_difference(scene, states, start)));
+        study::keep_largest(largest_kinetic, kinetic_energy(scene, states));
+        if (event_driven) deepest = std::max(deepest, max_penetration(scene, states));
+    };
+    Observer observer;
+    observer.sample_times = sample_grid(until, options.intervals);
+    observer.on_event = options.on_event;
+    observer.on_progress = options.on_progress;
+    observer.on_sample = [&](std::size_t, double, std::span<const BodyState> states) {
+        watch.pause();
+        look(states);
+        watch.resume();
+    };
+    result.outcome = simulate(scene, method, options.run, observer);
+    watch.pause();
+    result.cpu_seconds = watch.cpu();
+    result.wall_seconds = watch.wall();
+
+    const Outcome& outcome = result.outcome;
+    look(outcome.final);
+    result.initial_energy = total_energy(scene, start);
+    result.final_energy = total_energy(scene, outcome.final);
+    // Without motion there is no scale for a drift, and no drift either.
+    if (conserves_energy(scene)) result.max_relative_drift = largest_kinetic == 0 ? 0 : largest_drift / largest_kinetic;
+    result.initial_momentum = momentum(scene, start);
+    result.final_momentum = momentum(scene, outcome.final);
+    result.max_penetration = std::max(outcome.max_penetration, deepest);
+    result.escaped = escaped(scene, outcome.final);
+    for (const double impulse : outcome.plane_impulses)
+        result.plane_forces.push_back(outcome.time > 0 ? std::optional(impulse / outcome.time) : std::nullopt);
+    return result;
+}
+
+}  // namespace carom

@@ -1,0 +1,193 @@
+#include "study/row.hpp"
+#include "study/words.hpp"
+
+#include <carom/study.hpp>
+
+#include "make_sphere.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+using namespace carom;
+using namespace carom::study;
+using Catch::Matchers::Contains;
+
+namespace
+{
+
+Scene metric_scene()
+{
+    Scene scene;
+    scene.units = {"m", "s", "kg"};
+    scene.spheres.push_back(make_sphere("ball", 0.1));
+    return scene;
+}
+
+CompareRow event_row(double error, double cpu)
+{
+    CompareRow row;
+    row.method = "event";
+    row.position_max = row.position_final_max = error;
+    row.cpu_seconds = cpu;
+    row.reference_impacts = 1;
+    row.time = 5;
+    return row;
+}
+
+CompareRow step_row(const char* method, double dt, double error, double cpu)
+{
+    CompareRow row = event_row(error, cpu);
+    row.method = method;
+    row.dt = dt;
+    row.substeps = row.passes = 1;
+    return row;
+}
+
+Comparison comparison(std::vector<CompareRow> rows)
+{
+    Comparison result;
+    result.until = result.reference.until = 5;
+    result.tolerance = 1e-3;
+    result.reference.bound = 1e-20;
+    result.rows = std::move(rows);
+    return result;
+}
+
+std::string sentence(const Comparison& c, std::size_t i)
+{
+    return verdict(metric_scene(), c).at(i);
+}
+
+}  // namespace
+
+TEST_CASE("the verdict names the largest step that is good enough, and its price", "[verdict]")
+{
+    const Comparison c =
+        comparison({event_row(3.1e-15, 1e-5), step_row("velocity", 1.0 / 60, 0.1, 1e-4),
+                    step_row("velocity", 2e-4, 8e-4, 3.1e-3), step_row("velocity", 1e-4, 4e-4, 6.2e-3)});
+    CHECK(sentence(c, 0) ==
+          "The event method is right: event is off by 3.1e-15 m at the end and takes 10 us of CPU; the best stepper, "
+          "velocity at dt = 1e-4, is off by 0.4 mm.");
+    CHECK(sentence(c, 1) == "velocity needs dt <= 2e-4 for 1 mm; that costs 310 times the event run.");
+}
+
+TEST_CASE("a method that never gets there is told its best", "[verdict]")
+{
+    const Comparison c = comparison(
+        {event_row(0, 1e-5), step_row("pbd", 1.0 / 60, 0.4, 1e-5), step_row("pbd", 1.0 / 2400, 0.032, 4e-4)});
+    CHECK(sentence(c, 1) == "pbd: no step tried reaches 1 mm (best 3.2 cm at dt = 1/2400, 40 times the event run).");
+}
+
+TEST_CASE("missed impacts are counted, and a small error does not excuse them", "[verdict]")
+{
+    CompareRow blind = step_row("pbd", 1.0 / 60, 5e-4, 1e-6);
+    blind.missed_impacts = 1;
+    const Comparison c = comparison({event_row(0, 1e-5), blind});
+    CHECK(sentence(c, 1) ==
+          "pbd: no step tried reaches 1 mm without missing an impact (0.5 mm at dt = 1/60, 0.1 times the event run); "
+          "it misses 1 of 1 impacts at dt = 1/60.");
+}
+
+TEST_CASE("a lucky step is called one", "[verdict]")
+{
+    const Comparison c =
+        comparison({event_row(0, 1e-5), step_row("pbd", 1.0 / 60, 5e-4, 1e-5), step_row("pbd", 1.0 / 240, 0.2, 4e-5)});
+    CHECK_THAT(sentence(c, 1), Contains("needs dt <= 1/60") && Contains("fails again at dt = 1/240"));
+}
+
+TEST_CASE("the event method is judged like the others", "[verdict]")
+{
+    SECTION("too far off")
+    {
+        const Comparison c = comparison({event_row(0.03, 1e-5), step_row("pbd", 1.0 / 60, 5e-4, 1e-5)});
+        CHECK_THAT(sentence(c, 0), Contains("not within 1 mm") && Contains("3 cm") && Contains("which is less"));
+    }
+    SECTION("ended early")
+    {
+        CompareRow row = event_row(0, 1e-5);
+        row.status = Status::unresolved;
+        row.message = "two balls on a third";
+        row.time = 2.5;
+        CHECK(sentence(comparison({row}), 0) ==
+              "event stopped early, at t = 2.5 s of 5 s (unresolved: two balls on a third), after 10 us of CPU.");
+    }
+    SECTION("missed one")
+    {
+        CompareRow row = event_row(1e-9, 1e-5);
+        row.missed_impacts = 1;
+        CHECK_THAT(sentence(comparison({row}), 0), !Contains("right") && Contains("misses 1 of 1"));
+    }
+    SECTION("diverged")
+    {
+        CompareRow row = event_row(0.3, 1e-5);
+        row.divergence_time = 2;
+        CHECK_THAT(sentence(comparison({row}), 1), Contains("t = 2 s") && Contains("compare energy"));
+    }
+    SECTION("not run")
+    {
+        CHECK_THAT(sentence(comparison({step_row("pbd", 0.01, 0.2, 1e-5)}), 0), Contains("not among those run"));
+    }
+}
+
+TEST_CASE("a reference that ends early says up to when figures hold", "[verdict]")
+{
+    CompareRow row = event_row(1e-12, 1e-5);
+    row.position_final_max.reset();
+    Comparison c = comparison({row});
+    c.reference.until = 1.5;
+    c.reference.reason = "three spheres meet";
+    CHECK_THAT(sentence(c, 0), Contains("up to t = 1.5 s"));
+    CHECK(sentence(c, 1) ==
+          "The reference holds up to t = 1.5 s of 5 s (three spheres meet): errors and missed impacts are counted up "
+          "to there.");
+}
+
+TEST_CASE("a run that blows up is not the best", "[verdict]")
+{
+    const Comparison c =
+        comparison({event_row(0, 1e-5), step_row("naive", 0.1, std::numeric_limits<double>::quiet_NaN(), 1e-5),
+                    step_row("naive", 0.01, 0.5, 1e-5)});
+    CHECK_THAT(sentence(c, 1), Contains("best 50 cm at dt = 0.01") && Contains("at dt = 0.1 it blows up"));
+}
+
+TEST_CASE("the default tolerance is a millimetre where metres make sense", "[verdict]")
+{
+    Scene scene = metric_scene();
+    CHECK(default_tolerance(scene) == 1e-3);
+    scene.spheres[0].radius = 0.001;  // half of it is below 1 mm
+    CHECK(default_tolerance(scene) == 1e-5);
+    scene.spheres[0].radius = 100;
+    CHECK(default_tolerance(scene) == 1);
+    scene.spheres[0].radius = 0.1;
+    scene.units.length = "cm";
+    CHECK(default_tolerance(scene) == 1e-3);
+    scene.spheres[0].radius = 0.5;
+    CHECK(default_tolerance(scene) == 5e-3);
+}
+
+TEST_CASE("figures in words are short and mean what they say", "[verdict]")
+{
+    CHECK(two_digits(314.159) == "310");
+    CHECK(two_digits(0) == "0");
+    CHECK(two_digits(1.26e-7) == "1.3e-7");
+    CHECK(two_digits(std::numeric_limits<double>::infinity()) == "not a finite number");
+    CHECK(step_text(1.0 / 240) == "1/240");
+    CHECK(step_text(0.001) == "0.001");
+    CHECK(step_text(2e-4) == "2e-4");
+    CHECK(step_text(1.0 / 3) == "1/3");
+    CHECK(length_text(0.032, "m") == "3.2 cm");
+    CHECK(length_text(0.001, "m") == "1 mm");
+    CHECK(length_text(4e-6, "m") == "4 um");
+    CHECK(length_text(3e-15, "m") == "3e-15 m");
+    CHECK(length_text(0.5, "diameter") == "0.5 diameter");
+    CHECK(length_text(0.5, "") == "0.5");
+    CHECK(seconds_text(1.23e-5) == "12 us");
+}
+
+TEST_CASE("the median of an even number is the mean of the middle two", "[timing]")
+{
+    CHECK(median({3, 1, 2}) == 2);
+    CHECK(median({4, 1, 2, 3}) == 2.5);
+    CHECK(median({5}) == 5);
+}
