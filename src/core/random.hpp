@@ -10,8 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace carom
-{
+namespace carom {
 
 /// One step of splitmix64: advances `state` and returns 64 well mixed bits.
 constexpr std::uint64_t split_mix(std::uint64_t& state)
@@ -23,8 +22,7 @@ constexpr std::uint64_t split_mix(std::uint64_t& state)
     return z ^ (z >> 31);
 }
 
-class Random
-{
+class Random {
 public:
     /// Generators of one seed with different streams are independent, so that a further draw here moves nothing there.
     explicit constexpr Random(std::uint64_t seed, std::uint64_t stream = 0)

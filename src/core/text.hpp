@@ -6,8 +6,7 @@
 #include <charconv>
 #include <string>
 
-namespace carom
-{
+namespace carom {
 
 /// The shortest text that reads back as `x`.
 inline std::string to_text(double x)

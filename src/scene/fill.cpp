@@ -4,11 +4,9 @@
 #include "core/random.hpp"
 #include "scene/fill_patterns.hpp"
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 // Each purpose draws from a stream of its own: other radii do not move the directions.
 enum class Purpose : std::uint64_t { radius, position, direction, count };

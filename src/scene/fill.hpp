@@ -10,8 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// An axis-parallel box that bounds surfaces, not centres.
 struct Region {

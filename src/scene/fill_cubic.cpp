@@ -4,11 +4,9 @@
 #include "core/text.hpp"
 #include "scene/fill_patterns.hpp"
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 using Sites = std::array<std::size_t, 3>;
 

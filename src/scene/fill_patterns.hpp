@@ -4,8 +4,7 @@
 
 #include "scene/fill.hpp"
 
-namespace carom
-{
+namespace carom {
 
 struct Places {
     std::vector<Vec3> centres;  ///< one for each radius, in the same order [length]

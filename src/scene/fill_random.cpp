@@ -8,11 +8,9 @@
 #include "scene/pair_gap.hpp"
 #include "scene/sphere_grid.hpp"
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 // Nobody is placed so close that it could pass for a declared contact (1e-9 r).
 constexpr double least_gap = 1e-6;                // of the radius
@@ -21,8 +19,7 @@ constexpr std::size_t most_tries_in_all = 2'000;  // for each sphere, on average
 constexpr std::size_t tries_to_begin_with = 10'000'000;
 
 /// The spheres placed so far and the bodies that were there before.
-class Crowd
-{
+class Crowd {
 public:
     explicit Crowd(const Scene& scene) : scene_(scene)
     {

@@ -3,8 +3,7 @@
 
 #include "scene/fill_patterns.hpp"
 
-namespace carom
-{
+namespace carom {
 
 Places place(const LinePattern& line, const std::vector<double>& radii)
 {

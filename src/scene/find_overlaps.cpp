@@ -6,11 +6,9 @@
 #include "scene/sphere_grid.hpp"
 #include "scene/validate.hpp"
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 constexpr double contact_tolerance = 1e-9;  // gaps within this fraction of the radius are declared contacts
 constexpr std::size_t most_lines = 20;

@@ -5,8 +5,7 @@
 #include <carom/types.hpp>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
 /// Signed distance of two spheres' surfaces [length]; right for lengths of any size.
 inline double sphere_gap(const Vec3& p, double r, const Vec3& q, double s)

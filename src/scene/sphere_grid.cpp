@@ -7,11 +7,9 @@
 
 #include "core/expect.hpp"
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 int binary_exponent(double x)
 {

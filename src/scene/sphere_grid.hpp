@@ -10,14 +10,12 @@
 #include <unordered_map>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// Indices in the order of falling radius, equal ones as they were: the order in which a SphereGrid wants its spheres.
 std::vector<std::size_t> largest_first(const std::vector<double>& radii);
 
-class SphereGrid
-{
+class SphereGrid {
 public:
     /// \pre radius > 0, not larger than that of any sphere before it.
     void insert(std::size_t sphere, const Vec3& position, double radius);

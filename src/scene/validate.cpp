@@ -9,8 +9,7 @@
 
 #include "core/text.hpp"
 
-namespace carom
-{
+namespace carom {
 
 std::string BodyPlaces::sphere(std::size_t i) const
 {
@@ -22,13 +21,11 @@ std::string BodyPlaces::plane(std::size_t p) const
     return planes.empty() ? "/planes/" + std::to_string(p) : planes[p];
 }
 
-namespace
-{
+namespace {
 
 constexpr double unit_tolerance = 1e-12;  // of |n|^2; rounding leaves 4e-16
 
-class ValueRules
-{
+class ValueRules {
 public:
     ValueRules(const Scene& scene, const BodyPlaces& places) : scene_(scene), places_(places) {}
 

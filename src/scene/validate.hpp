@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// Where each body of a scene was written, for messages. Empty: "/spheres/3", "/planes/0".
 struct BodyPlaces {
