@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
-class InputError : public std::runtime_error
-{
+class InputError : public std::runtime_error {
 public:
     /// \param problems one line each: "FILE: JSON-POINTER: what is wrong (the cure)"; not empty.
     explicit InputError(std::vector<std::string> problems);

@@ -4,8 +4,7 @@
 
 #include <carom/types.hpp>
 
-namespace carom
-{
+namespace carom {
 
 /// Values are part of `event_hash`; never renumber.
 enum class EventKind : std::uint8_t {

@@ -10,8 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 struct ReadOptions {
     bool allow_overlap = false;  ///< let spheres overlap each other and planes at the start

@@ -8,8 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// How candidate pairs are found. `automatic` takes all pairs for few spheres and a cell grid for many.
 /// Results do not depend on it, bit for bit; only the cost does.
@@ -38,15 +37,12 @@ struct PositionBased : StepOptions {
     bool mass_weighted = false;  ///< share a projection by inverse mass instead of half and half
 };
 /// Velocity based: respond on gaps at the start of the step, cancel velocities that would deepen an overlap, then move.
-struct VelocityBased : StepOptions {
-};
+struct VelocityBased : StepOptions {};
 /// Step, and when an overlap appears go back to the first contact by bisection, respond there, go on (handout).
-struct Bisection : StepOptions {
-};
+struct Bisection : StepOptions {};
 /// Response on velocity alone, no approach test, no correction: sinks and sticks. The handout's warning, a positive
 /// control.
-struct Naive : StepOptions {
-};
+struct Naive : StepOptions {};
 
 using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive>;
 

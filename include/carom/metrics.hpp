@@ -9,8 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// The states that the scene starts from, in body order.
 std::vector<BodyState> initial_states(const Scene& scene);

@@ -12,8 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// How one material answers an impact. Of two materials in contact the smaller value holds, unless a ContactRule says
 /// otherwise.

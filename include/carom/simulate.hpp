@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// How a run ended.
 enum class Status : std::uint8_t {

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// Equal intervals at which studies look at a run (CONTRACT: 200).
 inline constexpr std::size_t study_intervals = 200;

@@ -16,8 +16,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-namespace carom
-{
+namespace carom {
 
 using Vec3 = Eigen::Vector3d;
 

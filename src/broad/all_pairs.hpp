@@ -4,11 +4,9 @@
 
 #include <carom/types.hpp>
 
-namespace carom
-{
+namespace carom {
 
-class AllPairs
-{
+class AllPairs {
 public:
     explicit AllPairs(BodyId count) : count_(count) {}
 

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 /// The next number with a mantissa of four bits: its multiples up to 2^49 are exact doubles.
 double round_up_to_four_bits(double x)

@@ -10,13 +10,11 @@
 #include <array>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 using Cell = std::array<std::int64_t, 3>;
 
-class CellGrid
-{
+class CellGrid {
 public:
     /// \param reach largest distance of two centres at which they must know each other [length]
     CellGrid(const Frame& frame, const std::vector<Place>& places, double reach);

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 struct GlobalArguments {
     bool json = false, quiet = false, verbose = false, no_progress = false;

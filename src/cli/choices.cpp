@@ -11,11 +11,9 @@
 #include <limits>
 #include <stdexcept>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 std::string text_of(const OptionValue& value)
 {

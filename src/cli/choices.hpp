@@ -11,13 +11,11 @@
 #include <string>
 #include <vector>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 /// Looks an option up and reads its value. What the user typed wrongly throws UsageError, what the scene says wrongly
 /// InputError with the place.
-class Choices
-{
+class Choices {
 public:
     /// `place` is the scene's file and the pointer of `defaults`, for messages: "ball.json: /compare".
     Choices(const GivenOptions& given, const CommandDefaults& defaults, std::string place);

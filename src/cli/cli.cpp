@@ -15,11 +15,9 @@
 #define CAROM_SCENE_DIR "scenes"
 #endif
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 int dispatch(const Arguments& arguments, const Console& console)
 {

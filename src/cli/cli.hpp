@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 // One file a command. Each returns an exit code and throws InputError or UsageError.
 int do_run(const RunArguments& args, const GlobalArguments& global, const Console& console);

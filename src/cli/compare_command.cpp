@@ -12,8 +12,7 @@
 
 #include <ostream>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 int do_compare(const CompareArguments& args, const GlobalArguments& global, const Console& console)
 {

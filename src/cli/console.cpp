@@ -7,8 +7,7 @@
 #include <ostream>
 #include <system_error>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 void print_error(const Console& console, const std::string& text)
 {

@@ -6,8 +6,7 @@
 #include <iosfwd>
 #include <string>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 struct Console {
     std::ostream& out;

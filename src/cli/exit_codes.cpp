@@ -1,7 +1,6 @@
 #include "cli/exit_codes.hpp"
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 int exit_code(Status status)
 {

@@ -6,8 +6,7 @@
 
 #include <stdexcept>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 enum ExitCode : int {
     exit_ok = 0,
@@ -22,8 +21,7 @@ enum ExitCode : int {
 int exit_code(Status status);
 
 /// What the user typed cannot be understood: exit 2.
-class UsageError : public std::runtime_error
-{
+class UsageError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };

@@ -2,11 +2,9 @@
 
 #include <csignal>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 // A signal handler can reach nothing but a global: the one of the program.
 volatile std::sig_atomic_t signal_seen = 0;
@@ -21,8 +19,7 @@ extern "C" void remember_signal(int)
 InterruptGuard::InterruptGuard()
 {
     signal_seen = 0;
-    struct sigaction action {
-    };
+    struct sigaction action {};
     action.sa_handler = remember_signal;
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, nullptr);

@@ -2,12 +2,10 @@
 /// Ctrl-C as a question that a run asks now and then.
 #pragma once
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 /// While it lives, the first SIGINT or SIGTERM is remembered, and the second ends the process as usual.
-class InterruptGuard
-{
+class InterruptGuard {
 public:
     InterruptGuard();
     ~InterruptGuard();

@@ -4,11 +4,9 @@
 #include <array>
 #include <string_view>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 constexpr std::array<std::string_view, 8> later_commands{"tunnel",  "stress", "verify", "check",
                                                          "explain", "view",   "export", "query"};

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 std::invalid_argument error(std::string_view text, const std::string& what)
 {

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 /// "0.001", "1e-3", "1/240". \throws std::invalid_argument with what is wrong; only finite numbers pass.
 double parse_number(std::string_view text);

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 /// Beside compare.json: what the page draws of that comparison.
 inline constexpr const char* page_data_file = "page.json";

@@ -10,11 +10,9 @@
 #define CAROM_VERSION "0"
 #endif
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 /// An option whose text is kept as typed; values are read later, together with the scene's defaults.
 void add_given(CLI::App& app, GivenOptions& given, const std::string& flag, const std::string& value,

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <ostream>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 constexpr double first_after = 1;  // s: shorter runs need no line
 constexpr double again_after = 0.2;
 

@@ -8,11 +8,9 @@
 #include <chrono>
 #include <string>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-class ProgressLine
-{
+class ProgressLine {
 public:
     /// Shows nothing unless stderr is a terminal and neither -q nor --no-progress was given.
     ProgressLine(const Console& console, const GlobalArguments& global);

@@ -14,11 +14,9 @@
 #define CAROM_VERSION "0"
 #endif
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 /// The page data of a folder that `compare` wrote.
 std::string folder_data(const std::filesystem::path& folder)

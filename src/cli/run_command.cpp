@@ -16,15 +16,12 @@
 #include <optional>
 #include <ostream>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 /// The events file of a run: made before the run, so that a wrong path fails at once.
-class EventsFile
-{
+class EventsFile {
 public:
     EventsFile(const std::filesystem::path& file, const Scene& scene, const Method& method) : file_(file)
     {

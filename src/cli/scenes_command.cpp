@@ -10,11 +10,9 @@
 
 #include <ostream>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 using Json = nlohmann::ordered_json;
 

@@ -7,11 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
-namespace
-{
+namespace {
 
 using study::seconds_text;
 using study::step_text;

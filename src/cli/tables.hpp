@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::cli
-{
+namespace carom::cli {
 
 /// Rows of cells as aligned columns; the first row is the head, the first `left` columns are words.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left);

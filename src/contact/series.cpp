@@ -2,11 +2,9 @@
 
 #include <array>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 /// What n bounces do, for a first flight of time T1: each bounce scales the flight time by e and the tangential
 /// velocity by alpha. All sums are of positive terms, so nothing cancels: time = T1 g, v' = alpha^n v + a T1 d, shift =

@@ -4,8 +4,7 @@
 
 #include <carom/types.hpp>
 
-namespace carom
-{
+namespace carom {
 
 /// What follows a bounce that left with normal speed v0 > 0 under gravity g_n > 0 towards the plane: bounce k comes
 /// T_k = 2 v0 / g_n (1 + e + ... + e^(k-1)) later, all of them within `duration`. e^k is found by products, never by a

@@ -1,10 +1,8 @@
 #include <carom/error.hpp>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 std::string join_lines(const std::vector<std::string>& lines)
 {
     std::string text;

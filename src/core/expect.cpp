@@ -1,8 +1,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace carom::detail
-{
+namespace carom::detail {
 
 [[noreturn]] void expectation_failed(const char* condition, const char* file, int line);
 

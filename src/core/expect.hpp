@@ -4,8 +4,7 @@
 #pragma once
 
 #if !defined(NDEBUG) || defined(CAROM_EXPECTATIONS)
-namespace carom::detail
-{
+namespace carom::detail {
 [[noreturn]] void expectation_failed(const char* condition, const char* file, int line);
 }
 #define CAROM_EXPECT(condition) \

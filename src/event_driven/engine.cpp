@@ -10,17 +10,14 @@
 #include <chrono>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 using Clock = std::chrono::steady_clock;
 
 /// One run in progress.
-class Run
-{
+class Run {
 public:
     Run(const Scene& scene, const EventDriven& method, const RunOptions& options, const Observer& observer)
         : state_(scene),

@@ -5,8 +5,7 @@
 
 #include <carom/simulate.hpp>
 
-namespace carom
-{
+namespace carom {
 
 /// No impact is lost and none invented (within double precision of the flights), no pair sinks beyond rounding, and the
 /// run always ends with a status. \pre the scene is valid

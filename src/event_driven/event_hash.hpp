@@ -6,12 +6,10 @@
 
 #include <bit>
 
-namespace carom
-{
+namespace carom {
 
 /// FNV-1a 64 over 64-bit words (Fowler, Noll, Vo), seven an event; -0 counts as +0.
-class EventHash
-{
+class EventHash {
 public:
     void add(const Event& e)
     {

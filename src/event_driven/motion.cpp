@@ -7,11 +7,9 @@
 
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 /// The ball that a sphere occupies or, in a series, sweeps from its start to its end.
 struct Swept {
@@ -61,8 +59,7 @@ DoubleDouble half_thickness(const Plane& plane)
 
 }  // namespace
 
-namespace
-{
+namespace {
 
 /// Neither sphere is in a series. Only the older flight has moved since it began.
 PairMotion plain_pair_motion(const State& state, const Moving& a, const Moving& b)

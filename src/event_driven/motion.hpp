@@ -6,8 +6,7 @@
 #include "event_driven/state.hpp"
 #include "toi/root.hpp"
 
-namespace carom
-{
+namespace carom {
 
 /// A sphere on a flight: its own of the state, or one that is being tried.
 struct Moving {

@@ -11,11 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 constexpr int most_nudges = 64;
 

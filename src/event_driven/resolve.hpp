@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// Every body that may touch this one now; valid until the next call.
 using Neighbourhood = std::function<std::span<const BodyId>(BodyId)>;

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 constexpr std::size_t few = 32;  ///< up to here all pairs cost less than a grid (tests/bench)
 

@@ -10,11 +10,9 @@
 #include <span>
 #include <variant>
 
-namespace carom
-{
+namespace carom {
 
-class Schedule
-{
+class Schedule {
 public:
     /// \post every body has been examined
     Schedule(const State& state, BroadPhase broad_phase, Counts& counts);

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
 bool is_rest(const State& state, BodyId body, const Flight& flight, double w, double gravity)
 {

@@ -4,8 +4,7 @@
 
 #include "event_driven/resolve.hpp"
 
-namespace carom
-{
+namespace carom {
 
 /// Is a sphere that leaves a plane with normal speed w in fact in persistent contact? True where the next bounce would
 /// be lower than the rounding of its own position, and where nothing presses and nothing of the speed is left. \param

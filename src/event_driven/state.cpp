@@ -1,7 +1,6 @@
 #include "event_driven/state.hpp"
 
-namespace carom
-{
+namespace carom {
 
 State::State(const Scene& s)
     : scene(s), frame(make_frame(s)), accelerations(s), laws(s), rest(rest_thresholds(s)), stamps(s.spheres.size(), 0)

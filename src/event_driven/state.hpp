@@ -12,8 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 struct State {
     explicit State(const Scene& scene);

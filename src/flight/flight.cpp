@@ -2,8 +2,7 @@
 
 #include "math/error_free.hpp"
 
-namespace carom
-{
+namespace carom {
 
 Accelerations::Accelerations(const Scene& scene) : has_gravity_(!scene.gravity.isZero(0)), table_{Vec3::Zero()}
 {

@@ -7,15 +7,13 @@
 
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 /// "Same acceleration" is a question of ids, never a comparison of floats.
 using AccelerationId = std::int32_t;
 
 /// The accelerations that occur in a run: none, gravity, and gravity along each plane for what rests or slides on it.
-class Accelerations
-{
+class Accelerations {
 public:
     explicit Accelerations(const Scene& scene);
 

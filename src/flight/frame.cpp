@@ -4,11 +4,9 @@
 
 #include <algorithm>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 constexpr double furthest = 0x1p62;  ///< epochs and cells beyond it do not fit 64 bits
 

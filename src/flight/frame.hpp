@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace carom
-{
+namespace carom {
 
 inline constexpr EpochTime never{std::numeric_limits<std::int64_t>::max(), 0};
 

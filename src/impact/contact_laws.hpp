@@ -6,11 +6,9 @@
 
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
-class ContactLaws
-{
+class ContactLaws {
 public:
     explicit ContactLaws(const Scene& scene) : count_(scene.materials.size())
     {

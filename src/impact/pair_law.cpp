@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
 PairImpact resolve_pair(const ImpactSide& a, const ImpactSide& b, const Vec3& normal, const ContactLaw& law)
 {

@@ -5,8 +5,7 @@
 
 #include <carom/scene.hpp>
 
-namespace carom
-{
+namespace carom {
 
 /// One side of a contact. A plane has inverse mass 0.
 struct ImpactSide {

@@ -1,11 +1,9 @@
 #include "io/compare_files.hpp"
 #include "io/numbers.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 std::string integer(const std::optional<int>& value)
 {

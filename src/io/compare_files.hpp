@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace carom::io
-{
+namespace carom::io {
 
 inline constexpr const char* compare_csv_header =
     "method,dt,substeps,passes,cpu_seconds,cpu_min,cpu_max,position_rms,position_max,position_final_rms,position_final_"

@@ -2,11 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 using Json = nlohmann::ordered_json;
 

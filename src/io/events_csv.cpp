@@ -4,11 +4,9 @@
 
 #include <ostream>
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 std::string id_of(const Scene& scene, BodyId body)
 {
     return body == no_body ? "" : csv_field(scene.body_name(body));

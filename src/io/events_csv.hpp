@@ -8,8 +8,7 @@
 #include <iosfwd>
 #include <string>
 
-namespace carom::io
-{
+namespace carom::io {
 
 inline constexpr const char* events_csv_header = "t,kind,a,b,nx,ny,nz,jx,jy,jz";
 
@@ -17,8 +16,7 @@ inline constexpr const char* events_csv_header = "t,kind,a,b,nx,ny,nz,jx,jy,jz";
 /// \param exact the event has its exact moment (`Event::at`); otherwise `Event::time` is written.
 std::string event_line(const Scene& scene, const Event& event, bool exact);
 
-class EventsCsv
-{
+class EventsCsv {
 public:
     /// Writes the header. `scene` and `out` must outlive the writer.
     EventsCsv(std::ostream& out, const Scene& scene, bool exact);

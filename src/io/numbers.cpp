@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom::io
-{
+namespace carom::io {
 
 std::string number_text(double value)
 {
@@ -28,8 +27,7 @@ double implied_epoch_length(const Event& event)
     return std::ldexp(1.0, static_cast<int>(std::lround(std::log2(length))));
 }
 
-namespace
-{
+namespace {
 
 /// All decimal digits of a finite double >= 0.
 std::string exact_decimal(double value)

@@ -8,8 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace carom::io
-{
+namespace carom::io {
 
 /// Shortest decimal that is the same double; empty for what is not finite, for files never say "nan".
 std::string number_text(double value);

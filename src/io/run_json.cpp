@@ -4,11 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 using Json = nlohmann::ordered_json;  // dumps numbers that are not finite as null
 

@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace carom::io
-{
+namespace carom::io {
 
 inline constexpr std::size_t max_final_spheres = 1000;
 

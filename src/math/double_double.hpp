@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
 struct DoubleDouble {
     double high = 0, low = 0;

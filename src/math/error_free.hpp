@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
 inline constexpr double unit_roundoff = 0x1p-53;  ///< u, half an ulp of 1
 

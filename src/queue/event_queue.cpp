@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace carom
-{
+namespace carom {
 
 EventQueue::EventQueue(std::size_t slots) : keys_(slots), heap_(slots), place_(slots)
 {

@@ -8,11 +8,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
-class EventQueue
-{
+class EventQueue {
 public:
     /// \param slots number of sources, all idle
     explicit EventQueue(std::size_t slots);
@@ -32,8 +30,7 @@ private:
 };
 
 /// The slow exact twin: looks at every slot. For tests.
-class LinearQueue
-{
+class LinearQueue {
 public:
     explicit LinearQueue(std::size_t slots) : keys_(slots) {}
     std::size_t first() const;

@@ -6,8 +6,7 @@
 
 #include <compare>
 
-namespace carom
-{
+namespace carom {
 
 /// Values are the order among equal times.
 enum class Scheduled : std::uint8_t {

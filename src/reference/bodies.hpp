@@ -7,8 +7,7 @@
 #include "reference/prefilter.hpp"
 #include "reference/vector.hpp"
 
-namespace carom::reference
-{
+namespace carom::reference {
 
 template <class Real>
 struct Ball {

@@ -10,8 +10,7 @@
 
 #include <set>
 
-namespace carom::reference
-{
+namespace carom::reference {
 
 inline constexpr std::int64_t max_impacts = 2'000'000;
 /// Contacts closer than this are one instant (in radii); those of the scene's start are within 1e-9 r, by contract.
@@ -25,8 +24,7 @@ inline constexpr double lowest_bounce = 1e-60;
 /// Runs the scene's doubles as exact numbers until `until` or until something that it does not model: then `reason`
 /// says what, and `stopped_at` when. Zeno series are run bounce by bounce, and a lone sphere then stays on its plane.
 template <class Real>
-class Integrator
-{
+class Integrator {
 public:
     Integrator(const Scene& scene, const Real& until) : scene_(scene), until_(until), gravity_(scene.gravity)
     {

@@ -7,8 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace carom::reference
-{
+namespace carom::reference {
 
 /// A flight rounded to double.
 struct Shadow {

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace carom::reference
-{
+namespace carom::reference {
 
 inline std::string at_time(double t)
 {

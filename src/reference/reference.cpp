@@ -6,11 +6,9 @@
 #include <cmath>
 #include <limits>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 using Low = reference::Decimal<50>;
 using High = reference::Decimal<100>;

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
 
 struct ReferenceImpact {
     double time = 0;                  ///< since the start of the run [time]
@@ -21,8 +20,8 @@ struct ReferenceImpact {
 /// A Zeno series of bounces on one plane, to be expanded by whoever matches impacts: bounce k >= 1 happens at
 /// start + 2 v0 (1 - e^k) / (g_n (1 - e)); the last one before `end`.
 struct ReferenceSeries {
-    double start = 0;         ///< time of the impact that began it (that impact is listed among the impacts) [time]
-    double end = 0;           ///< start + 2 v0 / (g_n (1 - e)), or the impact with another body that broke it off [time]
+    double start = 0;  ///< time of the impact that began it (that impact is listed among the impacts) [time]
+    double end = 0;    ///< start + 2 v0 / (g_n (1 - e)), or the impact with another body that broke it off [time]
     BodyId body = no_body, plane = no_body;
     double normal_speed = 0;  ///< v0 after that impact [length/time]
     double restitution = 0;   ///< e

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace carom::reference
-{
+namespace carom::reference {
 
 /// First t >= 0 at which the gap h + w t + g t^2/2 of a sphere and a plane closes. Closed, still and pressed (h <= 0, w
 /// = 0, g < 0) gives 0: a contact that needs a force. `roots` counts square roots.

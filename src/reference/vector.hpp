@@ -7,8 +7,7 @@
 
 #include <carom/types.hpp>
 
-namespace carom::reference
-{
+namespace carom::reference {
 
 namespace mp = boost::multiprecision;
 /// Decimal digits fixed at compile time and no allocation: a reference run makes some 1e8 of these.

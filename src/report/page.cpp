@@ -8,8 +8,7 @@ extern const char carom_page_template_begin[];
 extern const char carom_page_template_end[];
 }
 
-namespace carom
-{
+namespace carom {
 
 std::string_view page_template()
 {

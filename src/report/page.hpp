@@ -42,8 +42,7 @@
 #include <string>
 #include <string_view>
 
-namespace carom
-{
+namespace carom {
 
 /// The page without data: the bundle of tools/web or, built without node, a stub that shows the rows as a table.
 std::string_view page_template();

@@ -7,11 +7,9 @@
 
 #include <cmath>
 
-namespace carom::report
-{
+namespace carom::report {
 
-namespace
-{
+namespace {
 
 using Json = nlohmann::ordered_json;  // dumps numbers that are not finite as null
 

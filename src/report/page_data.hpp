@@ -7,8 +7,7 @@
 #include <span>
 #include <string>
 
-namespace carom::report
-{
+namespace carom::report {
 
 /// One comparison as a JSON object, compact. Tracks are side views of at most `max_track_spheres` spheres.
 std::string comparison_data(const Scene& scene, const Comparison& comparison);

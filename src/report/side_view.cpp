@@ -5,11 +5,9 @@
 #include <cstdint>
 #include <limits>
 
-namespace carom::report
-{
+namespace carom::report {
 
-namespace
-{
+namespace {
 
 struct Box {
     Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::report
-{
+namespace carom::report {
 
 using Frames = std::vector<std::vector<std::array<float, 3>>>;
 

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 const ContactRule* rule_between(const Scene& scene, int a, int b)
 {

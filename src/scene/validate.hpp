@@ -3,15 +3,29 @@
 #pragma once
 
 #include <carom/scene.hpp>
-
 #include <string>
 #include <vector>
 
-namespace carom
-{
+namespace carom {
+
+/// Where each body of a scene was written, for messages. Empty: "/spheres/3", "/planes/0".
+struct BodyPlaces {
+    std::vector<std::string> spheres, planes;  ///< JSON pointers; empty or one for each body
+
+    std::string sphere(std::size_t i) const;
+    std::string plane(std::size_t p) const;
+};
 
 /// Every broken rule as "/json/pointer: what is wrong (the cure)"; empty when the scene is valid. Values first (finite,
-/// in range); if those hold, overlaps.
+/// in range, ids); if those hold, overlaps.
 std::vector<std::string> validate(const Scene& scene, bool allow_overlap = false);
+std::vector<std::string> validate(const Scene& scene, bool allow_overlap, const BodyPlaces& places);
+
+/// Ids that two bodies share, naming both places.
+std::vector<std::string> find_duplicate_ids(const Scene& scene, const BodyPlaces& places = {});
+
+/// Centres inside a plate; unless `allow_overlap`, also every pair of bodies with gap < -1e-9 r, r the smaller radius.
+/// The first 20 are named, the rest is counted. \pre positions and radii are finite, radii > 0.
+std::vector<std::string> find_overlaps(const Scene& scene, bool allow_overlap, const BodyPlaces& places = {});
 
 }  // namespace carom

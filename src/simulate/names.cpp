@@ -6,8 +6,7 @@
 #include <array>
 #include <type_traits>
 
-namespace carom
-{
+namespace carom {
 
 const char* name(Mode mode)
 {
@@ -94,8 +93,7 @@ const StepOptions* step_options(const Method& method)
         method);
 }
 
-namespace
-{
+namespace {
 constexpr std::array<std::string_view, 4> order_names{"index", "reverse", "random", "deepest"};
 }
 

@@ -16,16 +16,13 @@
 #include <tuple>
 #include <utility>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 using namespace stepping;
 
-class BisectionStepper
-{
+class BisectionStepper {
 public:
     explicit BisectionStepper(std::size_t spheres)
         : since_(spheres), target_(spheres), stamp_(spheres), changed_(spheres)

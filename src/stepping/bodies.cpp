@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 Bodies make_bodies(const Scene& scene)
 {

@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 struct Bodies {
     std::vector<Vec3> position;        ///< centre [length]

@@ -4,8 +4,7 @@
 
 #include <cstdint>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 /// \pre overlaps(lo) is false, overlaps(hi) is true. \return the largest double found at which it is false, next to one
 /// at which it is true. Ends after at most 64 halvings, which is when lo and hi are neighbours unless lo is many orders

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
-namespace
-{
+namespace {
 
 /// Places further than this many cells from the origin are handled one by one. Below it the rounding of position / edge
 /// stays under 2.4e-7 of a cell, less than the slack.

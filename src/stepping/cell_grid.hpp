@@ -14,11 +14,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
-class CellGrid
-{
+class CellGrid {
 public:
     CellGrid(std::size_t spheres, double largest_radius);
 

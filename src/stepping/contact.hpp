@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 struct Contact {
     double gap = 0;              ///< <= 0 when detected [length]

@@ -4,8 +4,7 @@
 #include <tuple>
 #include <utility>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 std::uint64_t ContactArranger::draw()
 {

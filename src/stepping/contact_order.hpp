@@ -9,11 +9,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
-class ContactArranger
-{
+class ContactArranger {
 public:
     ContactArranger(ContactOrder order, std::uint64_t seed) : order_(order), state_(seed) {}
 

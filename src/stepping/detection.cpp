@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 Detector::Detector(const Scene& scene, BroadPhase broad_phase) : spheres_(static_cast<BodyId>(scene.spheres.size()))
 {

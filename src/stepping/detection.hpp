@@ -11,14 +11,12 @@
 #include <optional>
 #include <vector>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 /// At most this many spheres are tested all against all: below it that is cheaper than a grid.
 inline constexpr std::size_t all_pairs_limit = 32;
 
-class Detector
-{
+class Detector {
 public:
     /// BroadPhase::automatic decides by number of spheres.
     explicit Detector(const Scene& scene, BroadPhase broad_phase = BroadPhase::automatic);

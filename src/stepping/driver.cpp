@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
-namespace
-{
+namespace {
 
 std::string text(double value)
 {

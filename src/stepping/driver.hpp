@@ -11,8 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 /// What is wrong with the options, empty if nothing.
 std::string option_problem(const StepOptions& options, double until);
@@ -22,8 +21,7 @@ std::string limit_message(const char* what, double time, double until);
 Outcome collect(const System& system, Outcome outcome);
 
 /// Decides now and then whether a run goes on.
-class Watch
-{
+class Watch {
 public:
     Watch(const RunOptions& options, const Observer& observer, std::size_t spheres);
     /// reached_end to go on, else why to stop.

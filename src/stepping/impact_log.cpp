@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 ImpactLog::ImpactLog(const Scene& scene, const Observer& observer, bool merge)
     : on_event_(observer.on_event),

@@ -10,11 +10,9 @@
 #include <functional>
 #include <vector>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
-class ImpactLog
-{
+class ImpactLog {
 public:
     /// \param merge a contact may get several impulses in one substep: report their sum once, at `close`.
     ImpactLog(const Scene& scene, const Observer& observer, bool merge);

@@ -1,7 +1,6 @@
 #include "stepping/law_table.hpp"
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 LawTable::LawTable(const Scene& scene) : materials_(scene.materials.size())
 {

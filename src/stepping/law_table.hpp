@@ -6,11 +6,9 @@
 
 #include <vector>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
-class LawTable
-{
+class LawTable {
 public:
     explicit LawTable(const Scene& scene);
 

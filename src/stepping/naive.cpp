@@ -5,16 +5,13 @@
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 using namespace stepping;
 
-class NaiveStepper
-{
+class NaiveStepper {
 public:
     void advance(System& system, const Substep& substep)
     {

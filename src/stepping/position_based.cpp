@@ -7,16 +7,13 @@
 
 #include <algorithm>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 using namespace stepping;
 
-class PositionStepper
-{
+class PositionStepper {
 public:
     PositionStepper(const PositionBased& method, std::size_t spheres) : method_(method), was_projected_(spheres, 0) {}
 

@@ -1,10 +1,8 @@
 #include "stepping/response.hpp"
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
-namespace
-{
+namespace {
 
 bool is_wall(const Bodies& bodies, const Contact& c)
 {

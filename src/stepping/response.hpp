@@ -6,8 +6,7 @@
 #include "stepping/contact.hpp"
 #include "stepping/law_table.hpp"
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 struct Impulse {
     Vec3 on_a = Vec3::Zero();  ///< -on_a acts on b [mass length/time]

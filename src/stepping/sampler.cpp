@@ -1,7 +1,6 @@
 #include "stepping/sampler.hpp"
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 void Sampler::show_one(const Bodies& bodies, double fraction)
 {

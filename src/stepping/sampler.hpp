@@ -10,12 +10,10 @@
 #include <limits>
 #include <vector>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 /// Inside a substep positions are interpolated linearly, as the method moved them; velocities are those of its end.
-class Sampler
-{
+class Sampler {
 public:
     explicit Sampler(const Observer& observer) : observer_(observer)
     {

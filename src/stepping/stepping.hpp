@@ -9,8 +9,7 @@
 #include <carom/method.hpp>
 #include <carom/simulate.hpp>
 
-namespace carom
-{
+namespace carom {
 
 /// One entry for each discrete alternative of Method. \pre the scene is valid.
 /// Outcome: `counts.steps` are substeps, `max_events` bounds them; `max_penetration` as CONTRACT section 4 says;

@@ -11,8 +11,7 @@
 
 #include <algorithm>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 struct System {
     System(const Scene& scene, const StepOptions& options, const Observer& observer, bool merge_impacts)

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace carom::stepping
-{
+namespace carom::stepping {
 
 struct Substep {
     double begin;   ///< since the start [time]
@@ -15,8 +14,7 @@ struct Substep {
     double end;     ///< the begin of the next one, exactly [time]
 };
 
-class Timeline
-{
+class Timeline {
 public:
     /// \pre dt > 0, substeps >= 1, until >= 0.
     Timeline(double until, double dt, int substeps) : until_(until), dt_(dt), substeps_(substeps)

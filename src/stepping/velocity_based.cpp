@@ -4,16 +4,13 @@
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 using namespace stepping;
 
-class VelocityStepper
-{
+class VelocityStepper {
 public:
     explicit VelocityStepper(const VelocityBased& method) : passes_(method.passes) {}
 

@@ -3,8 +3,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace carom::study
-{
+namespace carom::study {
 
 double thread_cpu_seconds()
 {

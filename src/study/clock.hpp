@@ -2,8 +2,7 @@
 /// Time spent: by this thread, and on the wall.
 #pragma once
 
-namespace carom::study
-{
+namespace carom::study {
 
 /// CPU time of the calling thread since some moment [s].
 double thread_cpu_seconds();
@@ -11,8 +10,7 @@ double thread_cpu_seconds();
 double wall_seconds();
 
 /// Both clocks, with pauses: what looking at a run costs is not the run's.
-class Stopwatch
-{
+class Stopwatch {
 public:
     Stopwatch() { resume(); }
     void pause();

@@ -9,11 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 /// Every method with every step, in the order asked for.
 std::vector<Method> methods_to_run(const CompareOptions& options)
@@ -76,8 +74,7 @@ ReferenceSummary summary(const Reference& reference, double cpu_seconds)
 }
 
 /// Turns the progress of one row into that of the whole comparison.
-class Progress
-{
+class Progress {
 public:
     Progress(const CompareOptions& options, const std::vector<Method>& methods) : options_(options)
     {

@@ -4,13 +4,11 @@
 
 #include <cmath>
 
-namespace carom::study
-{
+namespace carom::study {
 
 /// Neumaier's variant of Kahan summation (Neumaier, Zeitschrift fuer Angewandte Mathematik und Mechanik 54, 1974): the
 /// error of the sum does not grow with the number of terms.
-class CompensatedSum
-{
+class CompensatedSum {
 public:
     void add(double x)
     {

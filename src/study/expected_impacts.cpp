@@ -5,11 +5,9 @@
 #include <cmath>
 #include <limits>
 
-namespace carom::study
-{
+namespace carom::study {
 
-namespace
-{
+namespace {
 
 /// The impact of `body` before number `last` in time order; -1 if there is none.
 std::ptrdiff_t previous_of_body(const std::vector<ReferenceImpact>& impacts, std::ptrdiff_t last, BodyId body)

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace carom::study
-{
+namespace carom::study {
 
 /// largest = max(largest, value), where NaN counts as the largest of all and stays.
 inline void keep_largest(double& largest, double value)

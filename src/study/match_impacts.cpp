@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom::study
-{
+namespace carom::study {
 
-namespace
-{
+namespace {
 
 bool exempt_at(const PairImpacts& pair, double time)
 {

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace carom::study
-{
+namespace carom::study {
 
 using Pair = std::pair<BodyId, BodyId>;
 

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
 using study::CompensatedSum;
 
@@ -76,8 +75,7 @@ std::int64_t escaped(const Scene& scene, std::span<const BodyState> states)
     return std::count_if(states.begin(), states.end(), outside);
 }
 
-namespace
-{
+namespace {
 
 template <typename Difference>
 Deviation deviation(std::size_t n, Difference difference)

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 struct Interval {
     double low, high;  // of the sphere on the sweep axis

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace carom::study
-{
+namespace carom::study {
 
 double divergence_threshold(const Scene& scene)
 {
@@ -18,8 +17,7 @@ double divergence_threshold(const Scene& scene)
     return fraction_of_radius * smallest_radius(scene);
 }
 
-namespace
-{
+namespace {
 
 /// How far apart the times of one impact may be in two runs.
 double match_width(const RowTask& task)
@@ -38,8 +36,7 @@ double match_width(const RowTask& task)
 }
 
 /// Collects a run as it goes. Sums are over what the reference covers.
-class Recorder
-{
+class Recorder {
 public:
     explicit Recorder(const RowTask& task) : task_(task), width_(match_width(task))
     {

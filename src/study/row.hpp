@@ -8,8 +8,7 @@
 
 #include <functional>
 
-namespace carom::study
-{
+namespace carom::study {
 
 struct RowTask {
     const Scene& scene;

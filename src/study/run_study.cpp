@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options)
 {

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom::study
-{
+namespace carom::study {
 
 double median(std::vector<double> values)
 {

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 using study::length_text;
 using study::seconds_text;
@@ -33,8 +31,7 @@ std::string time_text(double time, const std::string& unit)
     return two_digits(time) + (unit.empty() ? "" : " " + unit);
 }
 
-class Writer
-{
+class Writer {
 public:
     Writer(const Scene& scene, const Comparison& comparison) : scene_(scene), comparison_(comparison)
     {

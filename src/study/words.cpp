@@ -6,11 +6,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace carom::study
-{
+namespace carom::study {
 
-namespace
-{
+namespace {
 
 /// "1e-05" as "1e-5".
 std::string short_exponent(std::string text)

@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace carom::study
-{
+namespace carom::study {
 
 /// Two significant digits: 310, 0.032, 1.2e-7; "not a finite number" for what is none.
 std::string two_digits(double value);

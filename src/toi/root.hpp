@@ -4,8 +4,7 @@
 
 #include <cstdint>
 
-namespace carom
-{
+namespace carom {
 
 enum class RootKind : std::uint8_t {
     none,    ///< never, as these motions go on

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <limits>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 Root impact_at(double t)
 {

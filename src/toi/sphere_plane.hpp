@@ -5,8 +5,7 @@
 
 #include "toi/root.hpp"
 
-namespace carom
-{
+namespace carom {
 
 /// First t >= 0 at which the height is <= 0 and falls.
 /// \param h height at the common time [length] \param w its rate [length/time] \param g its acceleration

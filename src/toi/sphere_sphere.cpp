@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 constexpr double u = unit_roundoff;
 

@@ -10,8 +10,7 @@
 
 #include <carom/types.hpp>
 
-namespace carom
-{
+namespace carom {
 
 /// First t >= 0 at which |r + v t| <= S and the distance shrinks.
 /// \param r relative position at the common time [length] \param v relative velocity [length/time] \param

@@ -8,18 +8,15 @@
 #include <cmath>
 #include <limits>
 
-namespace carom
-{
+namespace carom {
 
-namespace
-{
+namespace {
 
 constexpr double u = unit_roundoff;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// F = |p|^2 - S^2 and H = F'/2 at double times, signs right even where double arithmetic cannot tell.
-class GapFunction
-{
+class GapFunction {
 public:
     explicit GapFunction(const AcceleratedMotion& m) : m_(m) {}
 

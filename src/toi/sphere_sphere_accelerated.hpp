@@ -7,8 +7,7 @@
 
 #include <carom/types.hpp>
 
-namespace carom
-{
+namespace carom {
 
 /// Relative motion r + v t + a t^2/2 from a common time.
 struct AcceleratedMotion {

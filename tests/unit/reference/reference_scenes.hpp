@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::test
-{
+namespace carom::test {
 
 inline Sphere ball(const std::string& id, const Vec3& x, const Vec3& v, double mass = 1, double radius = 0.1)
 {

@@ -11,8 +11,7 @@ using carom::comparison_page;
 using carom::page_data_marker;
 using carom::page_template;
 
-namespace
-{
+namespace {
 
 std::size_t count(std::string_view text, std::string_view what)
 {

@@ -7,8 +7,7 @@
 #include <type_traits>
 #include <variant>
 
-namespace carom::test
-{
+namespace carom::test {
 
 inline StepOptions steps(double dt, int substeps = 1, int passes = 1)
 {

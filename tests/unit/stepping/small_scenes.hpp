@@ -8,8 +8,7 @@
 #include <random>
 #include <string>
 
-namespace carom::test
-{
+namespace carom::test {
 
 inline Sphere ball(double radius, const Vec3& position, const Vec3& velocity = Vec3::Zero(), double mass = 1)
 {

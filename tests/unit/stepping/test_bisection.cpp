@@ -7,8 +7,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 std::vector<Event> events_of(const Scene& scene, const Method& method, double end)
 {

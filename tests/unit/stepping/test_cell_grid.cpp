@@ -11,8 +11,7 @@ using namespace carom::test;
 using stepping::Contact;
 using stepping::Detector;
 
-namespace
-{
+namespace {
 
 struct Found {
     std::vector<Contact> contacts;

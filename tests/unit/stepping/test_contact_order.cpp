@@ -8,8 +8,7 @@ using namespace carom;
 using stepping::Contact;
 using stepping::ContactArranger;
 
-namespace
-{
+namespace {
 
 std::vector<Contact> three()
 {

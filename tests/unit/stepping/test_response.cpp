@@ -7,8 +7,7 @@ using namespace carom;
 using namespace carom::test;
 using stepping::Contact;
 
-namespace
-{
+namespace {
 
 const Contact between{0, 0, 1, -Vec3::UnitX()};  // sphere 0 is left of sphere 1
 const Contact at_floor{0, 0, 2, Vec3::UnitZ()};

@@ -6,8 +6,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 constexpr double radius = 0.01, thickness = 0.001;
 constexpr double window = radius + thickness / 2;

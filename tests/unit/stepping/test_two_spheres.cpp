@@ -6,8 +6,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 /// Two balls of radius 0.1 that meet at half time, on a line through their centres.
 Scene head_on(double mass_a = 1, double mass_b = 1)

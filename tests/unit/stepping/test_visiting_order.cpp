@@ -6,8 +6,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 /// Overlaps (0,1) and (1,2) of three balls in a row after one pbd step from rest.
 struct Overlaps {

@@ -6,8 +6,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 /// Dropped from height 1 on a floor of restitution 0.8.
 Scene bouncing_ball()

@@ -9,8 +9,7 @@
 using namespace carom;
 using namespace carom::study;
 
-namespace
-{
+namespace {
 
 constexpr BodyId ball = 0, floor_id = 1;
 

@@ -10,8 +10,7 @@
 
 using namespace carom;
 
-namespace
-{
+namespace {
 
 /// Uniform in [low, high) from the bits of the generator: the same on every machine.
 double uniform(std::mt19937_64& generator, double low, double high)

@@ -13,8 +13,7 @@ using namespace carom;
 using namespace carom::study;
 using Catch::Matchers::Contains;
 
-namespace
-{
+namespace {
 
 Scene metric_scene()
 {

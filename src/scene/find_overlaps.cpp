@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.hpp"
+#include "scene/pair_gap.hpp"
+#include "scene/sphere_grid.hpp"
+#include "scene/validate.hpp"
+
+namespace carom {
+
+namespace {
+
+constexpr double contact_tolerance = 1e-9;  // gaps within this fraction of the radius are declared contacts
+constexpr std::size_t most_lines = 20;
+constexpr std::size_t most_counted = 10'000;  // a pile at one point would have N^2/2 of them
+
+struct Overlap {
+    std::size_t a, b;
+    double depth;
+};
+
+std::vector<Overlap> overlapping_spheres(const std::vector<Sphere>& spheres)
+{
+    std::vector<double> radii;
+    for (const auto& s : spheres) radii.push_back(s.radius);
+    std::vector<Overlap> found;
+    SphereGrid grid;
+    for (const std::size_t i : largest_first(radii)) {
+        const Sphere& s = spheres[i];
+        grid.visit_near(s.position, s.radius, [&](std::size_t j) {
+            const double gap = sphere_gap(s.position, s.radius, spheres[j].position, spheres[j].radius);
+            if (gap < -contact_tolerance * s.radius) found.push_back({std::min(i, j), std::max(i, j), -gap});
+            return found.size() < most_counted;
+        });
+        if (found.size() >= most_counted) break;
+        grid.insert(i, s.position, s.radius);
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Overlap& x, const Overlap& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+    return found;
+}
+
+bool centre_inside(const Plane& plate, const Sphere& s)
+{
+    return plate.thickness && std::abs(plate.normal.dot(s.position) - plate.offset) <= *plate.thickness / 2;
+}
+
+std::vector<Overlap> overlapping_planes(const Scene& scene)
+{
+    std::vector<Overlap> found;
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+        for (std::size_t p = 0; p < scene.planes.size(); ++p) {
+            const Sphere& s = scene.spheres[i];
+            if (centre_inside(scene.planes[p], s)) continue;  // an error of its own
+            const double gap = plane_gap(scene.planes[p], s, s.position);
+            if (gap < -contact_tolerance * s.radius) found.push_back({i, p, -gap});
+        }
+    return found;
+}
+
+// Rounded up, so that the cure cures.
+std::string enough(double depth)
+{
+    return to_text(depth * 1.001, 4);
+}
+
+std::string cure(double depth)
+{
+    return " by " + to_text(depth, 6) + " (move one by at least " + enough(depth) + ", or pass --allow-overlap)";
+}
+
+std::vector<std::string> centres_inside_plates(const Scene& scene, const BodyPlaces& places)
+{
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+        for (std::size_t p = 0; p < scene.planes.size(); ++p) {
+            const Sphere& s = scene.spheres[i];
+            const Plane& plane = scene.planes[p];
+            if (!centre_inside(plane, s)) continue;
+            lines.push_back(places.sphere(i) + ": the centre of sphere " + quoted(s.id) + " is inside plate " +
+                            quoted(plane.id) + " (" + places.plane(p) + "), so that it has no side (move it out)");
+        }
+    return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> find_overlaps(const Scene& scene, bool allow_overlap, const BodyPlaces& places)
+{
+    std::vector<std::string> lines = centres_inside_plates(scene, places);
+    if (!allow_overlap) {
+        for (const auto& o : overlapping_planes(scene))
+            lines.push_back(places.sphere(o.a) + ": sphere " + quoted(scene.spheres[o.a].id) + " overlaps plane " +
+                            quoted(scene.planes[o.b].id) + " (" + places.plane(o.b) + ")" + cure(o.depth));
+        for (const auto& o : overlapping_spheres(scene.spheres))
+            lines.push_back(places.sphere(o.b) + ": sphere " + quoted(scene.spheres[o.b].id) + " overlaps sphere " +
+                            quoted(scene.spheres[o.a].id) + " (" + places.sphere(o.a) + ")" + cure(o.depth));
+    }
+    if (lines.size() > most_lines) {
+        const std::size_t more = lines.size() - most_lines;
+        lines.resize(most_lines);
+        lines.push_back("/spheres: and " + std::string(more >= most_counted - most_lines ? "at least " : "") +
+                        std::to_string(more) + " more overlaps");
+    }
+    return lines;
+}
+
+}  // namespace carom

@@ -1,0 +1,159 @@
+#include "scene/validate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+
+#include "core/text.hpp"
+
+namespace carom {
+
+std::string BodyPlaces::sphere(std::size_t i) const
+{
+    return spheres.empty() ? "/spheres/" + std::to_string(i) : spheres[i];
+}
+
+std::string BodyPlaces::plane(std::size_t p) const
+{
+    return planes.empty() ? "/planes/" + std::to_string(p) : planes[p];
+}
+
+namespace {
+
+constexpr double unit_tolerance = 1e-12;  // of |n|^2; rounding leaves 4e-16
+
+class ValueRules {
+public:
+    ValueRules(const Scene& scene, const BodyPlaces& places) : scene_(scene), places_(places) {}
+
+    std::vector<std::string> broken()
+    {
+        finite("/gravity", scene_.gravity);
+        positive("/end_time", scene_.end_time);
+        for (const auto& m : scene_.materials) material(m);
+        for (std::size_t i = 0; i < scene_.contacts.size(); ++i)
+            contact("/contacts/" + std::to_string(i), scene_.contacts[i]);
+        rest();
+        for (std::size_t i = 0; i < scene_.spheres.size(); ++i) sphere(places_.sphere(i), scene_.spheres[i]);
+        for (std::size_t p = 0; p < scene_.planes.size(); ++p) plane(places_.plane(p), scene_.planes[p]);
+        for (std::size_t k = 0; k < scene_.checks.size(); ++k) check("/checks/" + std::to_string(k), scene_.checks[k]);
+        return std::move(lines_);
+    }
+
+private:
+    void rule(bool kept, const std::string& place, const std::string& what)
+    {
+        if (!kept) lines_.push_back(place + ": " + what);
+    }
+    void finite(const std::string& place, const Vec3& v) { rule(v.allFinite(), place, "must be finite"); }
+    void positive(const std::string& place, double x)
+    {
+        rule(std::isfinite(x) && x > 0, place, "must be finite and > 0, is " + to_text(x));
+    }
+    void not_negative(const std::string& place, std::optional<double> x)
+    {
+        if (x) rule(std::isfinite(*x) && *x >= 0, place, "must be finite and >= 0, is " + to_text(*x));
+    }
+    void fraction(const std::string& place, std::optional<double> x)
+    {
+        if (x) rule(*x >= 0 && *x <= 1, place, "must be between 0 and 1, is " + to_text(*x));
+    }
+    void material_index(const std::string& place, int index)
+    {
+        rule(index >= 0 && static_cast<std::size_t>(index) < scene_.materials.size(), place,
+             "no material has index " + std::to_string(index));
+    }
+
+    void material(const Material& m)
+    {
+        fraction("/materials/" + m.name + "/restitution", m.restitution);
+        fraction("/materials/" + m.name + "/tangential", m.tangential);
+    }
+    void contact(const std::string& place, const ContactRule& c)
+    {
+        material_index(place + "/between/0", c.a);
+        material_index(place + "/between/1", c.b);
+        fraction(place + "/restitution", c.restitution);
+        fraction(place + "/tangential", c.tangential);
+        fraction(place + "/attenuation", c.attenuation);
+    }
+    void rest()
+    {
+        not_negative("/rest/closing_speed", scene_.rest.closing_speed);
+        not_negative("/rest/window", scene_.rest.window);
+        if (scene_.rest.numeric_step) positive("/rest/numeric_step", *scene_.rest.numeric_step);
+        not_negative("/rest/gap_tolerance", scene_.rest.gap_tolerance);
+        not_negative("/rest/series_below", scene_.rest.series_below);
+    }
+    void sphere(const std::string& place, const Sphere& s)
+    {
+        positive(place + "/radius", s.radius);
+        positive(place + "/mass", s.mass);
+        finite(place + "/position", s.position);
+        finite(place + "/velocity", s.velocity);
+        material_index(place + "/material", s.material);
+    }
+    void plane(const std::string& place, const Plane& p)
+    {
+        rule(std::abs(p.normal.squaredNorm() - 1) <= unit_tolerance, place + "/normal", "must have unit length");
+        rule(std::isfinite(p.offset), place + "/offset", "must be finite");
+        not_negative(place + "/thickness", p.thickness);
+        material_index(place + "/material", p.material);
+    }
+    void check(const std::string& place, const Check& c)
+    {
+        static constexpr std::array<std::string_view, 9> types{"no_overlap", "energy",         "momentum",
+                                                               "inside",     "event_time",     "event_count",
+                                                               "rest_time",  "final_position", "final_velocity"};
+        rule(std::find(types.begin(), types.end(), c.type) != types.end(), place + "/type",
+             "unknown check " + quoted(c.type));
+        not_negative(place + "/abs", c.abs);
+        not_negative(place + "/rel", c.rel);
+        rule(!(c.abs && c.rel), place, "has both abs and rel (give one)");
+        not_negative(place + "/time", c.time);
+        rule(c.index >= 0, place + "/event", "must be >= 0");
+        rule(c.count >= 0, place + "/count", "must be >= 0");
+        finite(place + "/value", c.value);
+        const bool names_body = c.type == "rest_time" || c.type == "final_position" || c.type == "final_velocity";
+        const bool known = c.body >= 0 && static_cast<std::size_t>(c.body) < scene_.spheres.size();
+        rule(!names_body || known, place + "/body", "must name a sphere of the scene");
+    }
+
+    const Scene& scene_;
+    const BodyPlaces& places_;
+    std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> find_duplicate_ids(const Scene& scene, const BodyPlaces& places)
+{
+    std::vector<std::string> lines;
+    std::unordered_map<std::string_view, std::string> owners;
+    const auto claim = [&](const std::string& id, const std::string& place) {
+        const auto [owner, is_new] = owners.try_emplace(id, place);
+        if (!is_new)
+            lines.push_back(place + ": id " + quoted(id) + " is already that of " + owner->second +
+                            " (ids must be unique)");
+    };
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) claim(scene.spheres[i].id, places.sphere(i));
+    for (std::size_t p = 0; p < scene.planes.size(); ++p) claim(scene.planes[p].id, places.plane(p));
+    return lines;
+}
+
+std::vector<std::string> validate(const Scene& scene, bool allow_overlap, const BodyPlaces& places)
+{
+    std::vector<std::string> lines = ValueRules(scene, places).broken();
+    for (auto& line : find_duplicate_ids(scene, places)) lines.push_back(std::move(line));
+    return lines.empty() ? find_overlaps(scene, allow_overlap, places) : lines;
+}
+
+std::vector<std::string> validate(const Scene& scene, bool allow_overlap)
+{
+    return validate(scene, allow_overlap, {});
+}
+
+}  // namespace carom

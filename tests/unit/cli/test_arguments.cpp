@@ -1,0 +1,200 @@
+#include "cli/arguments.hpp"
+#include "cli/choices.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/progress.hpp"
+
+#include <carom/error.hpp>
+
+#include <catch2/catch.hpp>
+
+using namespace carom;
+using namespace carom::cli;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Arguments parsed(const std::vector<std::string>& args)
+{
+    const ParseResult result = parse_arguments(args);
+    INFO(result.err);
+    REQUIRE(result.arguments);
+    return *result.arguments;
+}
+
+Scene scene_with(const CommandDefaults& defaults)
+{
+    Scene scene;
+    scene.end_time = 5;
+    scene.run = scene.compare = defaults;
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("options are read where the contract puts them, global ones anywhere", "[arguments]")
+{
+    const Arguments run =
+        parsed({"--json", "run", "ball", "--method", "pbd", "--dt", "1/240", "--max-events", "10", "--final", "-o", "x",
+                "--events", "e.csv", "--seed", "7", "-q", "--literal", "--allow-overlap"});
+    CHECK(run.command == Command::run);
+    CHECK(run.global.json);
+    CHECK(run.global.quiet);
+    CHECK(run.global.seed == std::optional<std::uint64_t>(7));
+    CHECK(run.run.scene == "ball");
+    CHECK(run.run.given == GivenOptions{{"method", "pbd"}, {"dt", "1/240"}, {"max_events", "10"}, {"literal", "true"}});
+    CHECK(run.run.always_final);
+    CHECK(run.run.allow_overlap);
+    CHECK(run.run.out == "x");
+    CHECK(run.run.events == "e.csv");
+
+    const Arguments compare =
+        parsed({"compare", "ball", "--methods", "event,pbd", "--dt", "1e-3:1e-1:log3", "--no-progress"});
+    CHECK(compare.command == Command::compare);
+    CHECK(compare.compare.given.at("methods") == "event,pbd");
+    CHECK(compare.global.no_progress);
+    CHECK(parsed({"report", "a", "b", "-o", "c.html"}).report.folders == std::vector<std::string>{"a", "b"});
+    CHECK(parsed({"scenes"}).scenes.show.empty());
+    CHECK(parsed({"scenes", "list"}).command == Command::scenes);
+    CHECK(parsed({"scenes", "show", "ball"}).scenes.show == "ball");
+}
+
+TEST_CASE("help and version succeed on stdout, at every level and with examples", "[arguments]")
+{
+    for (const std::vector<std::string>& args : std::vector<std::vector<std::string>>{{"-h"},
+                                                                                      {"run", "-h"},
+                                                                                      {"compare", "--help"},
+                                                                                      {"report", "-h"},
+                                                                                      {"scenes", "-h"},
+                                                                                      {"scenes", "list", "-h"},
+                                                                                      {"scenes", "show", "-h"}}) {
+        const ParseResult result = parse_arguments(args);
+        CHECK(result.exit_code == exit_ok);
+        CHECK_FALSE(result.arguments);
+        CHECK_THAT(result.out, Contains("Examples:") && Contains("carom"));
+        CHECK(result.err.empty());
+    }
+    const ParseResult version = parse_arguments({"--version"});
+    CHECK(version.exit_code == exit_ok);
+    CHECK_THAT(version.out, Contains("carom "));
+}
+
+TEST_CASE("usage errors exit with 2 and say so on stderr", "[arguments]")
+{
+    for (const std::vector<std::string>& args : std::vector<std::vector<std::string>>{{},
+                                                                                      {"fly"},
+                                                                                      {"run"},
+                                                                                      {"run", "ball", "--speed", "3"},
+                                                                                      {"run", "ball", "--dt"},
+                                                                                      {"run", "a", "b"},
+                                                                                      {"report"},
+                                                                                      {"--seed", "x", "scenes"},
+                                                                                      {"scenes", "show"}}) {
+        const ParseResult result = parse_arguments(args);
+        CHECK(result.exit_code == exit_usage);
+        CHECK_FALSE(result.arguments);
+        CHECK_FALSE(result.err.empty());
+        CHECK(result.out.empty());
+    }
+}
+
+TEST_CASE("what belongs to later versions is refused and not in the help", "[arguments]")
+{
+    std::string help = parse_arguments({"-h"}).out;
+    for (const char* command : {"run", "compare", "scenes"}) help += parse_arguments({command, "-h"}).out;
+    for (const char* word : {"tunnel", "stress", "verify", "view", "export", "query", "toi", "--certified", "--impact",
+                             "--guard", "--kernel", "--save-state", "--set", "--equilibrate", "moreau", "penalty"}) {
+        CAPTURE(word);
+        CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
+        const bool option = word[0] == '-';
+        if (std::string(word) == "moreau" || std::string(word) == "penalty") continue;
+        const ParseResult result = parse_arguments(option ? std::vector<std::string>{"run", "ball", word}
+                                                          : std::vector<std::string>{word, "ball"});
+        CHECK(result.exit_code == exit_usage);
+        CHECK_THAT(result.err, Contains("not yet"));
+    }
+    CHECK_THAT(parse_arguments({"run", "ball", "--set=/a=1"}).err, Contains("not yet"));
+    CHECK_THAT(parse_arguments({"scenes", "validate", "x"}).err, Contains("not yet"));
+    CHECK(parsed({"run", "view"}).run.scene == "view");  // a scene may have any name
+}
+
+TEST_CASE("the command line goes before the scene, the scene before what is built in", "[choices]")
+{
+    const Scene scene = scene_with({{"methods", std::vector<std::string>{"event", "velocity"}},
+                                    {"dt", std::vector<std::string>{"1/60", "0.001"}},
+                                    {"repeats", 5.0},
+                                    {"literal", true}});
+    const CompareOptions from_scene = compare_settings({}, {}, scene, "ball.json");
+    CHECK(from_scene.methods == std::vector<std::string>{"event", "velocity"});
+    CHECK(from_scene.dt == std::vector<double>{1.0 / 60, 0.001});
+    CHECK(from_scene.repeats == 5);
+    CHECK(from_scene.step.literal);
+    CHECK(from_scene.until == 5);
+    CHECK_FALSE(from_scene.tolerance);
+
+    CompareArguments args;
+    args.given = {{"methods", "pbd"}, {"dt", "1/10"}, {"until", "2"}, {"tolerance", "1e-4"}, {"substeps", "1,4"}};
+    const CompareOptions typed = compare_settings(args, {}, scene, "ball.json");
+    CHECK(typed.methods == std::vector<std::string>{"pbd"});
+    CHECK(typed.dt == std::vector<double>{0.1});
+    CHECK(typed.until == 2);
+    CHECK(typed.tolerance == std::optional<double>(1e-4));
+    CHECK(typed.substeps == std::vector<int>{1, 4});
+
+    const CompareOptions built_in = compare_settings({}, {}, scene_with({}), "ball.json");
+    CHECK(built_in.methods == method_names());
+    CHECK(built_in.dt == std::vector<double>{1.0 / 60, 1.0 / 240, 1.0 / 1000});
+    CHECK(built_in.repeats == 3);
+}
+
+TEST_CASE("a run's method takes its step from the options", "[choices]")
+{
+    RunArguments args;
+    args.given = {
+        {"method", "velocity"}, {"dt", "1/100"}, {"substeps", "3"}, {"order", "deepest"}, {"max_events", "1e3"}};
+    GlobalArguments global;
+    global.seed = 9;
+    const RunSettings settings = run_settings(args, global, scene_with({}), "ball.json");
+    REQUIRE(step_options(settings.method) != nullptr);
+    CHECK(name(settings.method) == "velocity");
+    CHECK(step_options(settings.method)->dt == 0.01);
+    CHECK(step_options(settings.method)->substeps == 3);
+    CHECK(step_options(settings.method)->order == ContactOrder::deepest);
+    CHECK(step_options(settings.method)->seed == 9);
+    CHECK(settings.run.max_events == 1000);
+    CHECK(settings.run.until == 5);
+    CHECK(name(run_settings({}, {}, scene_with({}), "").method) == "event");
+}
+
+TEST_CASE("a wrong value is a usage error if typed and a scene error if written in the scene", "[choices]")
+{
+    const std::vector<std::pair<std::string, std::string>> wrong{{"dt", "0"},           {"dt", "x"},
+                                                                 {"substeps", "0"},     {"order", "best"},
+                                                                 {"until", "-1"},       {"methods", "event,magic"},
+                                                                 {"methods", "moreau"}, {"repeats", "0.5"}};
+    for (const auto& [key, text] : wrong) {
+        CAPTURE(key, text);
+        CompareArguments args;
+        args.given[key] = text;
+        CHECK_THROWS_AS(compare_settings(args, {}, scene_with({}), "ball.json"), UsageError);
+        CHECK_THROWS_WITH(compare_settings({}, {}, scene_with({{key, text}}), "ball.json"),
+                          Contains("ball.json: /compare/" + key + ": "));
+        CHECK_THROWS_AS(compare_settings({}, {}, scene_with({{key, text}}), "ball.json"), InputError);
+    }
+    CHECK_THROWS_AS(run_settings({}, {}, scene_with({{"speed", 3.0}}), "ball.json"), InputError);
+}
+
+TEST_CASE("statuses have the contract's exit codes", "[exit]")
+{
+    CHECK(exit_code(Status::reached_end) == 0);
+    CHECK(exit_code(Status::unresolved) == 1);
+    CHECK(exit_code(Status::event_limit) == 5);
+    CHECK(exit_code(Status::time_limit) == 5);
+    CHECK(exit_code(Status::zeno) == 5);
+    CHECK(exit_code(Status::interrupted) == 130);
+}
+
+TEST_CASE("progress tells the share done, the rate and what is left", "[progress]")
+{
+    CHECK(progress_text("gas", 0.25, 0.5, "s", 2) == "gas: 25 %, 0.25 s/s, 6 s left");
+    CHECK(progress_text("reference", 0, 0, "", 2) == "reference: 0 %");
+}
