@@ -16,9 +16,10 @@ std::string id_of(const Scene& scene, BodyId body)
 std::string event_line(const Scene& scene, const Event& event, bool exact)
 {
     std::string line = exact ? exact_time_text(event.at, implied_epoch_length(event)) : number_text(event.time);
-    line += std::string(",") + name(event.kind) + "," + id_of(scene, event.a) + "," + id_of(scene, event.b);
+    line.append(",").append(name(event.kind));
+    line.append(",").append(id_of(scene, event.a)).append(",").append(id_of(scene, event.b));
     for (const Vec3* vector : {&event.normal, &event.impulse})
-        for (int axis = 0; axis < 3; ++axis) line += "," + number_text((*vector)[axis]);
+        for (int axis = 0; axis < 3; ++axis) line.append(",").append(number_text((*vector)[axis]));
     return line;
 }
 
