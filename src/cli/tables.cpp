@@ -31,6 +31,16 @@ std::string per_speed(const Units& units)
     return units.length.empty() || units.time.empty() ? "" : units.length + "/" + units.time;
 }
 
+std::string counted(std::size_t n, const char* what)
+{
+    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::string bodies(const Scene& scene)
+{
+    return counted(scene.spheres.size(), "sphere") + ", " + counted(scene.planes.size(), "plane");
+}
+
 using Lines = std::vector<std::vector<std::string>>;
 
 void add_rest_times(const Scene& scene, const Outcome& outcome, Lines& lines)
@@ -72,8 +82,7 @@ std::string run_table(const Scene& scene, const RunStudy& run)
     const Outcome& outcome = run.outcome;
     const Units& units = scene.units;
     Lines lines;
-    lines.push_back(
-        {"scene", fmt::format("{} ({} spheres, {} planes)", scene.name, scene.spheres.size(), scene.planes.size())});
+    lines.push_back({"scene", fmt::format("{} ({})", scene.name, bodies(scene))});
     lines.push_back({"method", run.method + (outcome.kernel.empty() ? "" : " (kernel " + outcome.kernel + ")")});
     lines.push_back({"status", name(outcome.status) + (outcome.message.empty() ? "" : ": " + outcome.message)});
     lines.push_back({"time", with_unit(outcome.time, units.time)});
@@ -93,8 +102,8 @@ std::string compare_table(const Scene& scene, const Comparison& comparison)
 {
     const ReferenceSummary& reference = comparison.reference;
     const std::string& unit = scene.units.length;
-    std::string text = fmt::format("{}: {} spheres, {} planes, to t = {}\n", scene.name, scene.spheres.size(),
-                                   scene.planes.size(), with_unit(comparison.until, scene.units.time));
+    std::string text =
+        fmt::format("{}: {}, to t = {}\n", scene.name, bodies(scene), with_unit(comparison.until, scene.units.time));
     text += fmt::format("Reference: {}, bound {}{}\n\n", reference.kind, study::length_text(reference.bound, unit),
                         reference.until < comparison.until
                             ? fmt::format(", up to t = {:.6g} ({})", reference.until, reference.reason)

@@ -53,6 +53,7 @@ Json row_json(const Scene& scene, const CompareRow& row)
             {"time", row.time},
             {"repeats", row.repeats},
             {"reference_impacts", row.reference_impacts},
+            {"mistimed_impacts", row.mistimed_impacts},
             {"missed", mismatches_json(scene, row.missed)},
             {"invented", mismatches_json(scene, row.invented)}};
 }

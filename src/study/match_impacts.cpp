@@ -15,7 +15,7 @@ bool exempt_at(const PairImpacts& pair, double time)
 
 struct PairMatch {
     std::vector<double> missed, invented;
-    std::int64_t expected = 0;
+    std::int64_t expected = 0, left_over = 0;
 };
 
 /// Whether an own series of the run, closed at `rests[i]`, stands for an impact at `time`.
@@ -45,7 +45,8 @@ PairMatch match_pair(const PairImpacts& expected, const std::vector<double>& fou
             taken[candidate] = matched = true;
             break;
         }
-        if (!near && !matched && time <= window.horizon && !exempt_at(expected, time)) result.invented.push_back(time);
+        if (!matched && time <= window.horizon) ++result.left_over;
+        if (!near && time <= window.horizon && !exempt_at(expected, time)) result.invented.push_back(time);
     }
     for (std::size_t i = 0; i < taken.size() && expected.times[i] <= window.horizon; ++i) {
         ++result.expected;
@@ -80,6 +81,7 @@ MatchResult match_impacts(const ExpectedImpacts& expected, std::span<const Found
             match_pair(known == expected.end() ? nothing : known->second, times.first, times.second, window);
         result.expected += match.expected;
         result.missed += static_cast<std::int64_t>(match.missed.size());
+        result.mistimed += std::min(static_cast<std::int64_t>(match.missed.size()), match.left_over);
         result.invented += static_cast<std::int64_t>(match.invented.size());
         for (const double t : match.missed) result.missed_list.push_back({t, pair.first, pair.second});
         for (const double t : match.invented) result.invented_list.push_back({t, pair.first, pair.second});

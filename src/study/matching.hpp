@@ -48,6 +48,7 @@ struct MatchWindow {
 struct MatchResult {
     std::int64_t expected = 0;  ///< reference impacts up to the horizon that could be missed
     std::int64_t missed = 0, invented = 0;
+    std::int64_t mistimed = 0;  ///< of the missed ones, those for which the pair has an impact that nothing else claims
     std::vector<ImpactMismatch> missed_list, invented_list;  ///< in time order, the first `max_listed_mismatches`
 };
 
@@ -55,6 +56,7 @@ struct MatchResult {
 /// most `width` away. Missed: reference impacts up to the horizon that nothing took. Invented: found impacts up to the
 /// horizon of a pair that has no reference impact, taken or not, within `width`, outside exempt spans. So a method that
 /// spreads one bounce over two steps invents nothing, and one that answers again and again where nothing touches does.
+/// Mistimed: as many of a pair's missed impacts as it has found ones left over: they came, but too early or too late.
 /// `rests` (event-driven runs) are moments up to which a run closed a series: they stand for the impacts of the pair
 /// since its last found one.
 MatchResult match_impacts(const ExpectedImpacts& expected, std::span<const FoundImpact> found,

@@ -121,6 +121,7 @@ void Recorder::match(CompareRow& row, const Outcome& outcome)
     const MatchResult match = match_impacts(expected, found_, rests_, {width_, std::min(horizon(), outcome.time)});
     row.missed_impacts = match.missed;
     row.invented_impacts = match.invented;
+    row.mistimed_impacts = match.mistimed;
     row.reference_impacts = match.expected;
     row.missed = match.missed_list;
     row.invented = match.invented_list;

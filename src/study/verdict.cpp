@@ -14,16 +14,28 @@ using study::seconds_text;
 using study::step_text;
 using study::two_digits;
 
-/// The error that the verdict is about: at the end if the reference reaches it, otherwise the largest seen.
+/// The error that the verdict is about: the largest at any sample. The one at the end would call a ball right that lies
+/// where it should after every bounce went wrong.
 std::optional<double> verdict_error(const CompareRow& row)
 {
-    return row.position_final_max ? row.position_final_max : row.position_max;
+    return row.position_max;
+}
+
+/// Impacts that did not come at all, neither in time nor early or late.
+std::int64_t lost_impacts(const CompareRow& row)
+{
+    return row.missed_impacts - row.mistimed_impacts;
+}
+
+std::string share(std::int64_t part, const CompareRow& row)
+{
+    return std::to_string(part) + " of " + std::to_string(row.reference_impacts) + " impacts";
 }
 
 bool reached(const CompareRow& row, double tolerance)
 {
     const std::optional<double> error = verdict_error(row);
-    return row.status == Status::reached_end && error && *error <= tolerance && row.missed_impacts == 0;
+    return row.status == Status::reached_end && error && *error <= tolerance && lost_impacts(row) == 0;
 }
 
 std::string time_text(double time, const std::string& unit)
@@ -65,10 +77,11 @@ private:
     std::string tolerance() const { return length(comparison_.tolerance); }
     std::string time(double value) const { return time_text(value, scene_.units.time); }
 
+    /// " up to t = 2 s" where reference or run end early.
     std::string when(const CompareRow& row) const
     {
-        return row.position_final_max ? "at the end"
-                                      : "up to t = " + time(std::min(comparison_.reference.until, row.time));
+        const double end = std::min(comparison_.reference.until, row.time);
+        return end < comparison_.until ? " up to t = " + time(end) : "";
     }
 
     const CompareRow* best_discrete() const
@@ -87,8 +100,9 @@ private:
         const CompareRow* best = best_discrete();
         if (event_ == nullptr) {
             if (best == nullptr) return "No method gave a finite answer.";
-            return "Closest to the reference is " + best->method + " at dt = " + step_text(*best->dt) + ", off by " +
-                   length(*verdict_error(*best)) + " " + when(*best) + "; the event method was not among those run.";
+            return "Closest to the reference is " + best->method + " at dt = " + step_text(*best->dt) +
+                   ", off by at most " + length(*verdict_error(*best)) + when(*best) +
+                   "; the event method was not among those run.";
         }
         const std::optional<double> error = verdict_error(*event_);
         const std::string cost = seconds_text(event_->cpu_seconds) + " of CPU";
@@ -97,13 +111,11 @@ private:
                    name(event_->status) + (event_->message.empty() ? "" : ": " + event_->message) + "), after " + cost +
                    ".";
         if (!error) return "event reached the end in " + cost + ", but there is no reference to measure it by.";
-        std::string text = "event is off by " + length(*error) + " " + when(*event_);
+        std::string text = "event is off by at most " + length(*error) + when(*event_);
         if (*error <= comparison_.reference.bound)
             text += " (within what the reference knows, " + length(comparison_.reference.bound) + ")";
         text += " and takes " + cost;
-        if (event_->missed_impacts > 0)
-            text += ", but it misses " + std::to_string(event_->missed_impacts) + " of " +
-                    std::to_string(event_->reference_impacts) + " impacts";
+        if (event_->missed_impacts > 0) text += ", but it misses " + share(event_->missed_impacts, *event_);
         if (*error > comparison_.tolerance)
             text = "The event method is not within " + tolerance() + ": " + text;
         else if (event_->missed_impacts == 0)
@@ -112,7 +124,7 @@ private:
             const double other = *verdict_error(*best);
             const bool resolved = comparison_.reference.bound < *error;
             const bool closer = resolved && other < *error;
-            text += "; the best stepper, " + best->method + " at dt = " + setting(*best) + ", is off by " +
+            text += "; the best stepper, " + best->method + " at dt = " + setting(*best) + ", is off by at most " +
                     length(other) + (closer ? ", which is less" : "");
         }
         return text + ".";
@@ -159,7 +171,7 @@ std::string Writer::method_sentence(const std::string& method) const
     const CompareRow *enough = nullptr, *best = nullptr, *blind = nullptr, *blown = nullptr;
     for (const CompareRow& row : comparison_.rows) {
         if (row.method != method) continue;
-        if (row.missed_impacts > 0 && (blind == nullptr || row.missed_impacts > blind->missed_impacts)) blind = &row;
+        if (lost_impacts(row) > 0 && (blind == nullptr || lost_impacts(row) > lost_impacts(*blind))) blind = &row;
         const std::optional<double> error = verdict_error(row);
         if (row.status != Status::reached_end || (error && !std::isfinite(*error))) {
             if (blown == nullptr) blown = &row;
@@ -175,6 +187,8 @@ std::string Writer::method_sentence(const std::string& method) const
     std::string text = method;
     if (enough != nullptr) {
         text += " needs dt <= " + setting(*enough) + " for " + tolerance() + "; that costs " + cost(*enough);
+        if (enough->mistimed_impacts > 0)
+            text += ", and " + share(enough->mistimed_impacts, *enough) + " come more than 3 steps early or late";
         for (const CompareRow& row : comparison_.rows)
             if (row.method == method && *row.dt < *enough->dt && !reached(row, comparison_.tolerance)) {
                 text += " (but it fails again at dt = " + setting(row) + ")";
@@ -189,9 +203,7 @@ std::string Writer::method_sentence(const std::string& method) const
     } else {
         text += ": no step tried gave a finite answer to the end";
     }
-    if (blind != nullptr)
-        text += "; it misses " + std::to_string(blind->missed_impacts) + " of " +
-                std::to_string(blind->reference_impacts) + " impacts at dt = " + setting(*blind);
+    if (blind != nullptr) text += "; it misses " + share(lost_impacts(*blind), *blind) + " at dt = " + setting(*blind);
     if (blown != nullptr && best != nullptr)
         text += "; at dt = " + setting(*blown) + " it " +
                 (blown->status == Status::reached_end ? "blows up" : std::string("ends with ") + name(blown->status));

@@ -59,6 +59,7 @@ TEST_CASE("an impact within three steps is found, farther away it is missed and 
     const MatchResult far = match_impacts(expect({1.0}), at({1.35}), {}, window);
     CHECK(far.missed == 1);
     CHECK(far.invented == 1);
+    CHECK(far.mistimed == 1);
     REQUIRE(far.missed_list.size() == 1);
     CHECK(far.missed_list[0].time == 1.0);
     CHECK(far.invented_list[0].time == 1.35);
@@ -69,6 +70,7 @@ TEST_CASE("impacts of another pair do not count", "[matching]")
     const std::vector<FoundImpact> other{{1.0, ball, 2}};
     const MatchResult result = match_impacts(expect({1.0}), other, {}, {0.3, 10});
     CHECK(result.missed == 1);
+    CHECK(result.mistimed == 0);
     CHECK(result.invented == 1);
     CHECK(result.invented_list[0].b == 2);
 }

@@ -66,8 +66,8 @@ TEST_CASE("the verdict names the largest step that is good enough, and its price
         comparison({event_row(3.1e-15, 1e-5), step_row("velocity", 1.0 / 60, 0.1, 1e-4),
                     step_row("velocity", 2e-4, 8e-4, 3.1e-3), step_row("velocity", 1e-4, 4e-4, 6.2e-3)});
     CHECK(sentence(c, 0) ==
-          "The event method is right: event is off by 3.1e-15 m at the end and takes 10 us of CPU; the best stepper, "
-          "velocity at dt = 1e-4, is off by 0.4 mm.");
+          "The event method is right: event is off by at most 3.1e-15 m and takes 10 us of CPU; the best stepper, "
+          "velocity at dt = 1e-4, is off by at most 0.4 mm.");
     CHECK(sentence(c, 1) == "velocity needs dt <= 2e-4 for 1 mm; that costs 310 times the event run.");
 }
 
@@ -86,6 +86,27 @@ TEST_CASE("missed impacts are counted, and a small error does not excuse them", 
     CHECK(sentence(c, 1) ==
           "pbd: no step tried reaches 1 mm without missing an impact (0.5 mm at dt = 1/60, 0.1 times the event run); "
           "it misses 1 of 1 impacts at dt = 1/60.");
+}
+
+TEST_CASE("impacts that come too early or late are not lost, but they are told", "[verdict]")
+{
+    CompareRow late = step_row("pbd", 1e-4, 5e-4, 1e-5);
+    late.reference_impacts = 35;
+    late.missed_impacts = late.mistimed_impacts = 20;
+    CHECK(sentence(comparison({event_row(0, 1e-5), late}), 1) ==
+          "pbd needs dt <= 1e-4 for 1 mm; that costs 1 times the event run, and 20 of 35 impacts come more than 3 "
+          "steps early or late.");
+    late.mistimed_impacts = 19;
+    CHECK_THAT(sentence(comparison({event_row(0, 1e-5), late}), 1),
+               Contains("without missing an impact") && Contains("misses 1 of 35"));
+}
+
+TEST_CASE("being right at the end does not make up for being wrong before", "[verdict]")
+{
+    CompareRow bounced = step_row("pbd", 0.01, 0.09, 1e-5);
+    bounced.position_final_max = 1e-15;
+    CHECK_THAT(sentence(comparison({event_row(0, 1e-5), bounced}), 1),
+               Contains("no step tried reaches 1 mm (best 9 cm"));
 }
 
 TEST_CASE("a lucky step is called one", "[verdict]")

@@ -1,0 +1,159 @@
+#include "cli/cli.hpp"
+#include "cli/exit_codes.hpp"
+#include "io/compare_files.hpp"
+#include "io/events_csv.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+using namespace carom::cli;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* ball_scene =
+    R"({"format": "carom-scene/1", "name": "Ball", "gravity": [0, 0, -9.81], "end_time": 1,
+ "units": {"length": "m", "time": "s", "mass": "kg"},
+ "materials": {"rubber": {"restitution": 0.8}},
+ "spheres": [{"id": "ball", "radius": 0.1, "position": [0, 0, 1.1], "velocity": [0.2, 0, 0], "material": "rubber"}],
+ "planes": [{"id": "floor", "normal": [0, 0, 1], "offset": 0, "material": "rubber"}],
+ "compare": {"methods": ["event", "pbd"], "dt": ["1/60"]}})";
+
+/// A folder for one test, gone afterwards.
+class Folder {
+public:
+    Folder() : path_(fs::temp_directory_path() / ("carom-cli-" + std::to_string(::getpid())))
+    {
+        fs::remove_all(path_);
+        fs::create_directories(path_);
+        write("ball.json", ball_scene);
+    }
+    ~Folder() { fs::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+    std::string read(const std::string& name) const
+    {
+        std::ifstream stream(path_ / name);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+private:
+    fs::path path_;
+};
+
+struct Said {
+    int code;
+    std::string out, err;
+};
+
+Said carom_tool(const std::vector<std::string>& args)
+{
+    std::ostringstream out, err;
+    const int code = run_cli(args, Console{out, err});
+    return {code, out.str(), err.str()};
+}
+
+}  // namespace
+
+TEST_CASE("run says what happened, as a table or as JSON and nothing else", "[cli]")
+{
+    const Folder folder;
+    const Said table = carom_tool({"run", folder / "ball.json"});
+    CHECK(table.code == exit_ok);
+    CHECK_THAT(table.out, Contains("reached_end") && Contains("impacts") && Contains("CPU time"));
+    CHECK(table.err.empty());
+    const Said data = carom_tool({"run", folder / "ball.json", "--json"});
+    CHECK(data.code == exit_ok);
+    CHECK(json::parse(data.out)["format"] == "carom-run/1");
+    CHECK(json::parse(data.out)["counts"]["impacts"] == 1);  // 0.4515, the next at 1.174
+}
+
+TEST_CASE("run writes its result and its events", "[cli]")
+{
+    const Folder folder;
+    const Said said = carom_tool(
+        {"run", folder / "ball.json", "-o", folder / "deep/out", "--events", folder / "events.csv", "--json"});
+    CHECK(said.code == exit_ok);
+    CHECK(json::parse(folder.read("deep/out/run.json")) == json::parse(said.out));
+    std::istringstream events(folder.read("events.csv"));
+    std::string line;
+    std::getline(events, line);
+    CHECK(line == "t,kind,a,b,nx,ny,nz,jx,jy,jz");
+    std::getline(events, line);
+    CHECK_THAT(line, Catch::Matchers::StartsWith("0.4515236409857") && Contains(",impact,ball,floor,0,0,1,0,0,"));
+    CHECK_FALSE(std::getline(events, line));
+}
+
+TEST_CASE("limits exit with 5 and leave a valid result", "[cli]")
+{
+    const Folder folder;
+    const Said said = carom_tool({"run", folder / "ball.json", "--max-events", "1", "--until", "3", "--json"});
+    CHECK(said.code == exit_limit);
+    CHECK(json::parse(said.out)["status"] == "event_limit");
+    CHECK_THAT(said.err, Contains("event_limit"));
+}
+
+TEST_CASE("what cannot be read exits with 3, what cannot be understood with 2", "[cli]")
+{
+    const Folder folder;
+    folder.write("broken.json", "{\"format\": \"carom-scene/1\",");
+    folder.write("wrong.json", R"({"format": "carom-scene/1", "end_time": -1})");
+    for (const char* file : {"broken.json", "wrong.json", "missing.json"}) {
+        const Said said = carom_tool({"run", folder / file});
+        CAPTURE(file);
+        CHECK(said.code == exit_bad_input);
+        CHECK_FALSE(said.err.empty());
+        CHECK(said.out.empty());
+    }
+    CHECK(carom_tool({"run", folder / "ball.json", "--dt", "0"}).code == exit_usage);
+    CHECK(carom_tool({"run", folder / "ball.json", "--method", "magic"}).code == exit_usage);
+    CHECK(carom_tool({"tunnel"}).code == exit_usage);
+    CHECK(carom_tool({"report", folder / "nothing"}).code == exit_bad_input);
+    folder.write("file", "");
+    CHECK(carom_tool({"run", folder / "ball.json", "-o", folder / "file"}).code == exit_bad_input);
+    CHECK(carom_tool({"run", folder / "ball.json", "--events", folder / "file/events.csv"}).code == exit_bad_input);
+}
+
+TEST_CASE("compare writes its files, a table with a verdict, and a page that report can join with others", "[cli]")
+{
+    const Folder folder;
+    const Said table = carom_tool({"compare", folder / "ball.json", "--repeats", "1", "-o", folder / "a"});
+    CHECK(table.code == exit_ok);
+    CHECK_THAT(table.out, Contains("method") && Contains("1/60") && Contains("The event method is right") &&
+                              Contains("report.html"));
+    std::istringstream csv(folder.read("a/compare.csv"));
+    std::string line;
+    std::getline(csv, line);
+    CHECK(line == carom::io::compare_csv_header);
+    CHECK(json::parse(folder.read("a/compare.json"))["rows"].size() == 2);
+    CHECK_THAT(folder.read("a/report.html"), Contains("<html") && Contains("carom-page/1"));
+
+    const Said data = carom_tool(
+        {"compare", folder / "ball.json", "--methods", "event", "--repeats", "1", "-o", folder / "b", "--json"});
+    CHECK(json::parse(data.out)["format"] == "carom-compare/1");
+    const Said joined = carom_tool({"report", folder / "a", folder / "b", "-o", folder / "all.html"});
+    CHECK(joined.code == exit_ok);
+    CHECK(joined.out == folder / "all.html" + std::string("\n"));
+    CHECK(folder.read("all.html").size() > folder.read("a/report.html").size());
+}
+
+TEST_CASE("scenes are listed and shown", "[cli]")
+{
+    const Folder folder;
+    const Said shown = carom_tool({"scenes", "show", folder / "ball.json"});
+    CHECK(shown.code == exit_ok);
+    CHECK_THAT(shown.out, Contains("Ball") && Contains("floor"));
+    CHECK(json::parse(carom_tool({"scenes", "show", folder / "ball.json", "--json"}).out)["name"] == "Ball");
+    CHECK(json::parse(carom_tool({"scenes", "--json"}).out)["scenes"].is_array());
+}
