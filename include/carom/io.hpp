@@ -5,7 +5,9 @@
 #include <carom/error.hpp>
 #include <carom/scene.hpp>
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +16,7 @@ namespace carom {
 
 struct ReadOptions {
     bool allow_overlap = false;  ///< let spheres overlap each other and planes at the start
+    std::optional<std::uint64_t> seed;  ///< in place of the scene's
 };
 
 /// Read, expand and validate a scene file (format carom-scene/1).

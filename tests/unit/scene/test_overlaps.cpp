@@ -1,0 +1,160 @@
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <set>
+
+#include "core/random.hpp"
+#include "scene/pair_gap.hpp"
+#include "scene/sphere_grid.hpp"
+#include "scene/validate.hpp"
+
+using namespace carom;
+
+namespace
+{
+
+Sphere ball(const std::string& id, double radius, const Vec3& position)
+{
+    Sphere s;
+    s.id = id;
+    s.radius = radius;
+    s.position = position;
+    return s;
+}
+
+Scene scene_of(std::vector<Sphere> spheres)
+{
+    Scene s;
+    s.end_time = 1;
+    s.spheres = std::move(spheres);
+    return s;
+}
+
+Plane floor_plane(std::optional<double> thickness = {})
+{
+    Plane p;
+    p.id = "floor";
+    p.thickness = thickness;
+    return p;
+}
+
+}  // namespace
+
+TEST_CASE("overlapping spheres are named with depth and cure, touching ones are not", "[scene]")
+{
+    CHECK(find_overlaps(scene_of({ball("a", 1, {0, 0, 0}), ball("b", 1, {2, 0, 0})}), false).empty());
+    CHECK(find_overlaps(scene_of({ball("a", 1, {0, 0, 0}), ball("b", 1, {2 - 0.9e-9, 0, 0})}), false).empty());
+    CHECK(find_overlaps(scene_of({ball("a", 1, {0, 0, 0}), ball("b", 1, {2 - 1.1e-9, 0, 0})}), false).size() == 1);
+    // The tolerance follows the smaller of the two.
+    CHECK(find_overlaps(scene_of({ball("a", 1, {0, 0, 0}), ball("b", 0.1, {1.1 - 0.9e-9, 0, 0})}), false).size() == 1);
+    const auto lines = find_overlaps(scene_of({ball("a", 1, {0, 0, 0}), ball("b", 0.5, {0, 1.25, 0})}), false);
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].find(
+              "/spheres/1: sphere \"b\" overlaps sphere \"a\" (/spheres/0) by 0.25 (move one by at least 0.250") == 0);
+    CHECK(lines[0].find("or pass --allow-overlap") != std::string::npos);
+    CHECK(find_overlaps(scene_of({ball("a", 1, {0, 0, 0}), ball("b", 0.5, {0, 1.25, 0})}), true).empty());
+}
+
+TEST_CASE("a sphere in a wall or in a plate overlaps it", "[scene]")
+{
+    Scene s = scene_of({ball("a", 1, {0, 0, 0.75})});
+    s.planes = {floor_plane()};
+    REQUIRE(find_overlaps(s, false).size() == 1);
+    CHECK(find_overlaps(s, false)[0].find("sphere \"a\" overlaps plane \"floor\" (/planes/0) by 0.25") !=
+          std::string::npos);
+    CHECK(find_overlaps(s, true).empty());
+    s.planes = {floor_plane(0.5)};
+    s.spheres[0].position.z() = -1.25;  // touches the plate from below
+    CHECK(find_overlaps(s, false).empty());
+    s.spheres[0].position.z() = -1.125;
+    CHECK(find_overlaps(s, false).size() == 1);
+}
+
+TEST_CASE("a centre inside a plate has no side, even where overlap is allowed", "[scene]")
+{
+    Scene s = scene_of({ball("a", 1, {0, 0, 0.25})});
+    s.planes = {floor_plane(0.5)};
+    for (const bool allow : {false, true}) {
+        const auto lines = find_overlaps(s, allow);
+        REQUIRE(lines.size() == 1);
+        CHECK(lines[0].find("the centre of sphere \"a\" is inside plate \"floor\"") != std::string::npos);
+    }
+    s.planes = {floor_plane(0.0)};
+    s.spheres[0].position.z() = 0;
+    CHECK(find_overlaps(s, true).size() == 1);
+    s.spheres[0].position.z() = 1e-9;
+    CHECK(find_overlaps(s, true).empty());
+}
+
+TEST_CASE("many overlaps are counted after the first twenty", "[scene]")
+{
+    std::vector<Sphere> row;
+    for (int i = 0; i < 31; ++i) row.push_back(ball("s" + std::to_string(i), 1, {1.5 * i, 0, 0}));
+    const auto lines = find_overlaps(scene_of(row), false);
+    REQUIRE(lines.size() == 21);
+    CHECK(lines.back() == "/spheres: and 10 more overlaps");
+    std::vector<Sphere> heap(2000, ball("s", 1, {0, 0, 0}));
+    CHECK(find_overlaps(scene_of(heap), false).back() == "/spheres: and at least 9980 more overlaps");
+}
+
+TEST_CASE("the grid finds the same overlaps as a look at all pairs, for any mix of sizes", "[scene]")
+{
+    Random random(11);
+    for (int round = 0; round < 40; ++round) {
+        const double spread = round % 2 == 0 ? 1 : 1000;  // of the radii
+        std::vector<Sphere> spheres;
+        for (int i = 0; i < 200; ++i) {
+            const double u = random.uniform();
+            const double radius = 0.3 / (1 + (spread - 1) * u * u);
+            const double x = random.uniform(-4, 4), y = random.uniform(-4, 4), z = random.uniform(-1, 1);
+            spheres.push_back(ball(std::to_string(i), radius, {x, y, z}));
+        }
+        std::vector<double> radii;
+        for (const auto& s : spheres) radii.push_back(s.radius);
+        using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
+        const auto overlap = [&](std::size_t i, std::size_t j) {
+            return sphere_gap(spheres[i].position, radii[i], spheres[j].position, radii[j]) < 0;
+        };
+        Pairs expected, found;
+        for (std::size_t i = 0; i < spheres.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (overlap(i, j)) expected.insert({j, i});
+        SphereGrid grid;
+        for (const std::size_t i : largest_first(radii)) {
+            grid.visit_near(spheres[i].position, radii[i], [&](std::size_t j) {
+                if (overlap(i, j)) CHECK(found.insert({std::min(i, j), std::max(i, j)}).second);
+                return true;
+            });
+            grid.insert(i, spheres[i].position, radii[i]);
+        }
+        CHECK(found == expected);
+        CHECK_FALSE(expected.empty());
+    }
+}
+
+TEST_CASE("gaps are right for lengths of any size", "[scene]")
+{
+    for (const double scale : {1.0, 1e-160, 1e150, 1e-300}) {
+        CHECK(sphere_gap({0, 0, 0}, scale, {3 * scale, 4 * scale, 0}, scale) == Approx(3 * scale));
+        CHECK(find_overlaps(scene_of({ball("a", scale, {0, 0, 0}), ball("b", scale, {2.5 * scale, 0, 0})}), false)
+                  .empty());
+        CHECK(find_overlaps(scene_of({ball("a", scale, {0, 0, 0}), ball("b", scale, {1.5 * scale, 0, 0})}), false)
+                  .size() == 1);
+    }
+}
+
+TEST_CASE("a hundred thousand spheres are validated in a second", "[scene]")
+{
+    std::vector<Sphere> spheres;
+    for (int i = 0; i < 100'000; ++i)
+        spheres.push_back(ball("s" + std::to_string(i), 0.5, {1.0 * (i % 50), 1.0 * (i / 50 % 50), 1.0 * (i / 2500)}));
+    Scene s = scene_of(spheres);
+    s.planes = {floor_plane()};
+    s.planes[0].offset = -0.5;
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(validate(s).empty());
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    // All pairs would take half a minute; the factor is for debug builds, sanitizers and busy machines.
+    CHECK(taken.count() < 10);
+    s.spheres[77'777].position.x() += 1e-6;
+    CHECK(validate(s).size() == 1);
+}
