@@ -15,7 +15,7 @@
 namespace carom {
 
 struct ReadOptions {
-    bool allow_overlap = false;  ///< let spheres overlap each other and planes at the start
+    bool allow_overlap = false;         ///< let spheres overlap each other and planes at the start
     std::optional<std::uint64_t> seed;  ///< in place of the scene's
 };
 

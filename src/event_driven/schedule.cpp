@@ -110,10 +110,10 @@ void Schedule::watch_cell(const State& state, BodyId body, const EpochTime& now,
             plane_root(grid->above_lower_wall(state.frame, body, axis, f.place), f.velocity[axis], a[axis]);
         const Root up =
             plane_root(grid->below_upper_wall(state.frame, body, axis, f.place), -f.velocity[axis], -a[axis]);
-        // b names the wall: axis, and which way.
-        if (down.kind == RootKind::impact)
+        // b names the wall: axis, and which way. Starting to fall on the wall itself (pressed) is leaving, too.
+        if (down.kind != RootKind::none)
             best = std::min(best, Key{state.frame.after(now, down.t), Scheduled::cell_crossing, body, 2 * axis});
-        if (up.kind == RootKind::impact)
+        if (up.kind != RootKind::none)
             best = std::min(best, Key{state.frame.after(now, up.t), Scheduled::cell_crossing, body, 2 * axis + 1});
     }
     counts.root_solves += 1;

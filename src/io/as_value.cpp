@@ -5,11 +5,9 @@
 #include "core/text.hpp"
 #include "io/object_view.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 std::string range_in_words(const Range& range)
 {

@@ -1,7 +1,6 @@
 #include "io/json.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
 const Json* Json::find(std::string_view key) const
 {

@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace carom::io
-{
+namespace carom::io {
 
 struct Json {
     enum class Kind { null, boolean, number, string, array, object };

@@ -5,11 +5,9 @@
 
 #include "io/json.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 constexpr std::size_t deepest = 64;  // a scene needs 6; the bound keeps recursion over the tree safe
 
@@ -39,8 +37,7 @@ std::string hint(std::string_view before, std::string_view rest)
 }
 
 /// Builds the tree from the parser's calls.
-class TreeBuilder : public nlohmann::json_sax<nlohmann::json>
-{
+class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 public:
     TreeBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 std::string list_of(std::initializer_list<std::string_view> keys)
 {

@@ -14,8 +14,7 @@
 #include "io/json.hpp"
 #include "io/problems.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
 /// Which numbers a key may have.
 struct Range {
@@ -46,8 +45,7 @@ std::optional<std::string> as_word(const Place& place, const std::vector<std::st
                                    const std::vector<std::string>& later, Problems& problems);
 
 /// One object of the file. Ask for each key that it may have, then `finish`: what nobody asked for is an unknown key.
-class ObjectView
-{
+class ObjectView {
 public:
     ObjectView(const Place& place, Problems& problems);
 

@@ -4,11 +4,9 @@
 #include <carom/error.hpp>
 #include <cctype>
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 constexpr std::size_t most_lines = 200;
 constexpr std::size_t most_listed = 30;

@@ -6,11 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace carom::io
-{
+namespace carom::io {
 
-class Problems
-{
+class Problems {
 public:
     explicit Problems(std::string file) : file_(std::move(file)) {}
 

@@ -3,11 +3,9 @@
 
 #include "io/scene_draft.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 const std::vector<std::string>& side_names()
 {

@@ -4,16 +4,13 @@
 #include "core/text.hpp"
 #include "io/scene_draft.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 
-class CheckReader
-{
+class CheckReader {
 public:
     explicit CheckReader(const SceneDraft& draft) : draft_(draft)
     {

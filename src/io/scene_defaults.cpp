@@ -3,11 +3,9 @@
 
 #include "io/scene_draft.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 /// Options of a command that a scene may preset: long names with `_` for `-`.
 struct CommandOptions {

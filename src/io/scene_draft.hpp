@@ -10,8 +10,7 @@
 #include "scene/fill.hpp"
 #include "scene/validate.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
 /// What is wrong is left out of the scene (and reported), so that the rest can still be validated.
 struct SceneDraft {

@@ -8,13 +8,11 @@
 #include "io/json.hpp"
 #include "io/problems.hpp"
 
-namespace carom
-{
+namespace carom {
 
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 30;  // also ends the reading of a device that never does
 

@@ -3,11 +3,9 @@
 #include "core/text.hpp"
 #include "io/scene_draft.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 constexpr std::uint64_t most_spheres = 20'000'000;
 

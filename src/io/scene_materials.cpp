@@ -2,8 +2,7 @@
 
 #include "io/scene_draft.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
 void read_materials(ObjectView& root, SceneDraft& draft)
 {
@@ -26,8 +25,7 @@ void read_materials(ObjectView& root, SceneDraft& draft)
     }
 }
 
-namespace
-{
+namespace {
 
 std::optional<ContactRule> read_contact(ObjectView& view, const Scene& scene)
 {

@@ -4,8 +4,7 @@
 #include "core/text.hpp"
 #include "io/scene_draft.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
 std::optional<int> as_material(const Place& place, const Scene& scene, Problems& problems)
 {

@@ -1,10 +1,8 @@
 #include "io/scene_draft.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 Plane read_plane(ObjectView& view, std::size_t index, const SceneDraft& draft)
 {

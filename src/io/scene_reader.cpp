@@ -4,14 +4,11 @@
 #include "core/text.hpp"
 #include "io/scene_draft.hpp"
 
-namespace carom
-{
+namespace carom {
 
-namespace io
-{
+namespace io {
 
-namespace
-{
+namespace {
 
 bool is_zero(const Json& json)
 {

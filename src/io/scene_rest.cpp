@@ -1,7 +1,6 @@
 #include "io/scene_draft.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
 void read_rest(ObjectView& root, SceneDraft& draft)
 {

@@ -1,10 +1,8 @@
 #include "io/scene_draft.hpp"
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 Sphere read_sphere(ObjectView& view, std::size_t index, const SceneDraft& draft)
 {

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::test
-{
+namespace carom::test {
 
 /// The problems that reading `text` as "s.json" reports; empty if it is accepted.
 inline std::vector<std::string> problems_of(const std::string& text)

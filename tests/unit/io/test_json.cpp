@@ -7,8 +7,7 @@ using namespace carom;
 using io::Json;
 using io::parse_json;
 
-namespace
-{
+namespace {
 
 std::string error_of(std::string_view text)
 {

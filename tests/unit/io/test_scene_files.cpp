@@ -11,8 +11,7 @@ using Catch::Contains;
 using Catch::EndsWith;
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 
 const fs::path scene_dir = CAROM_SCENE_DIR;
 

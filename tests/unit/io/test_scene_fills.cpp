@@ -7,8 +7,7 @@ using namespace carom::test;
 using Catch::Contains;
 using Catch::StartsWith;
 
-namespace
-{
+namespace {
 
 std::string unit_box(const std::string& fill)
 {

@@ -10,8 +10,7 @@
 
 using namespace carom;
 
-namespace
-{
+namespace {
 
 FillSpec fill_of(const Pattern& pattern, std::size_t count, const RadiusSpec& radius)
 {

@@ -9,8 +9,7 @@
 
 using namespace carom;
 
-namespace
-{
+namespace {
 
 Sphere ball(const std::string& id, double radius, const Vec3& position)
 {

@@ -6,8 +6,7 @@
 using namespace carom;
 using Catch::StartsWith;
 
-namespace
-{
+namespace {
 
 Scene one_ball()
 {

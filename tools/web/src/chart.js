@@ -91,9 +91,11 @@ export function makeChart({ label, height, option }) {
     const now = Math.floor(element.clientWidth);
     if (now === width || now === 0) return;
     width = now;
-    element.style.height = `${height(width)}px`;
-    if (chart) requestAnimationFrame(draw);
-    else if (near) start();
+    requestAnimationFrame(() => { // not in the observer itself: this changes heights, which would call it again
+      element.style.height = `${height(width)}px`;
+      if (chart) draw();
+      else if (near) start();
+    });
   });
   resizer.observe(element);
   const watcher = new IntersectionObserver((entries) => {

@@ -25,7 +25,7 @@ function verdictBox(comparison) {
 
 function referenceLine({ reference, until, units, rows }) {
   const unit = units.length ? ` ${units.length}` : "";
-  const parts = [`${rows.length} runs`];
+  const parts = [`${rows.length} ${rows.length === 1 ? "run" : "runs"}`];
   if (until !== undefined && until !== null) parts.push(`compared up to t = ${formatQuantity(until, units.time ?? "", 4)}`);
   if (reference.kind) parts.push(`reference: ${KINDS[reference.kind] ?? reference.kind}${reference.bound > 0 ? `, off by ${formatNumber(reference.bound, 2)}${unit} at most` : ""}`);
   if (reference.reason) parts.push(`the reference ends there: ${reference.reason}`);
@@ -34,9 +34,8 @@ function referenceLine({ reference, until, units, rows }) {
 
 function section(comparison, alone) {
   const { units } = comparison;
+  const top = [workFigure(comparison), viewFigure(comparison)].filter(Boolean);
   const parts = [
-    workFigure(comparison),
-    viewFigure(comparison),
     timeFigure(comparison, {
       quantity: "energy_error", title: "Energy error over time", axisName: "energy error, relative", unit: "",
       caption: "Energy less the reference’s, over its greatest kinetic energy; the logarithmic scale shows the magnitude.",
@@ -50,13 +49,16 @@ function section(comparison, alone) {
       caption: "Distance of the worst sphere from where the reference has it.",
     }),
     missedFigure(comparison),
-    rowsTable(comparison),
   ].filter(Boolean);
+  for (const list of [top, parts]) { // two stand side by side; one that is left over takes the whole width
+    const halves = list.filter((part) => !part.classList.contains("full"));
+    if (halves.length % 2) halves.at(-1).classList.add("full");
+  }
   return h("section", { id: comparison.id, "aria-labelledby": `${comparison.id}-title` },
     h(alone ? "h1" : "h2", { id: `${comparison.id}-title` }, comparison.title),
     comparison.description ? h("p", { class: "description" }, comparison.description) : null,
     verdictBox(comparison), referenceLine(comparison),
-    h("div", { class: "figures" }, ...parts));
+    h("div", { class: "figures" }, ...top, ...parts, rowsTable(comparison)));
 }
 
 function overview(comparisons) {

@@ -36,7 +36,7 @@ export function missedFigure(comparison) {
   };
   const cleanText = clean.length ? `None missed: ${clean.map((s) => rowLabel(s.row)).join("; ")}.` : "";
   if (total === 0) {
-    return figure({ title, caption: "No method missed an impact of the reference.", body: [h("p", { class: "note" }, cleanText)], csv });
+    return figure({ title, className: "full", caption: "No method missed an impact of the reference.", body: [h("p", { class: "note" }, cleanText)], csv });
   }
 
   const names = hit.map((s) => [`${rowLabel(s.row)}:  `, `${formatNumber(s.count)} missed`]);

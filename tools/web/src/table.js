@@ -44,7 +44,7 @@ export function rowsTable(comparison) {
       }
       const cell = h("th", { scope: "row", title: rowLabel(row) });
       cell.innerHTML = swatch(methodStyle(row.method));
-      cell.append(row.method);
+      cell.append(row.method, h("span", { class: "step" }, stepLabel(row)));
       return cell;
     }))));
   };

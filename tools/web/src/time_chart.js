@@ -63,7 +63,7 @@ export function timeFigure(comparison, what) {
   const series = (comparison.series ?? []).filter((s) => s[what.quantity]?.some(isNumber) && comparison.rows[s.row]);
   if (!series.length) return null;
   if (what.quantity === "penetration" && series.every((s) => s.penetration.every((v) => !v))) {
-    return figure({ title: what.title, caption: what.caption, body: [h("p", {}, "None: no run had an overlap at any sample.")] });
+    return figure({ title: what.title, caption: what.caption, className: "full", body: [h("p", {}, "None: no run had an overlap at any sample.")] });
   }
   const { steps, methods } = selections(comparison, series);
   let selection = steps[Math.floor(steps.length / 2)]?.value ?? "step:";

@@ -10,6 +10,7 @@ import { drawPanel, drawScaleBar, FEW, isEnlarged, suitableHeight } from "./view
 
 const REFERENCE = -1;
 const LENGTHS = [{ value: 4, label: "4 s" }, { value: 8, label: "8 s" }, { value: 20, label: "20 s" }, { value: 60, label: "60 s" }];
+const SIDE_BY_SIDE = 700; // px: in less than that, two views that are not tall stand one above the other
 const AFTER_MISS = 0.04; // of the run: the view opens so much after the first missed impact
 
 export function viewFigure(comparison) {
@@ -47,7 +48,7 @@ export function viewFigure(comparison) {
     const color = rows[state.row] ? methodStyle(rows[state.row].method).color : "#5d6875";
     const beside = state.mode === "beside" && method && reference;
     const aspect = (view.max[1] - view.min[1]) / (view.max[0] - view.min[0]);
-    const stacked = beside && aspect < 0.5;
+    const stacked = beside && (aspect < 0.5 || (width < SIDE_BY_SIDE && aspect < 1.2));
     const panelWidth = beside && !stacked ? Math.floor((width - 10) / 2) : width;
     const panelHeight = suitableHeight(view, panelWidth);
     const height = stacked ? 2 * panelHeight + 10 : panelHeight;
@@ -133,7 +134,7 @@ export function viewFigure(comparison) {
   });
 
   const box = h("div", { class: "view-box" }, canvas);
-  new ResizeObserver(draw).observe(box);
+  new ResizeObserver(() => requestAnimationFrame(draw)).observe(box);
   queueMicrotask(choose);
   const options = [{ options: choices.map((row) => ({ value: String(row), label: rowLabel(rows[row]) })) }];
   return figure({

@@ -71,6 +71,8 @@ export function workFigure(comparison) {
     }
     if (error.bounded && reference.bound > 0 && !y.boundShown) parts.push(`The reference’s bound, ${formatNumber(reference.bound, 2)}${unit ? ` ${unit}` : ""}, lies far below this range.`);
     if (missing.length) parts.push(`Not drawn, without a figure for this choice: ${missing.join("; ")}.`);
+    const cut = rows.filter((row) => row.status && row.status !== "reached_end").map((row) => `${rowLabel(row)} (${row.status})`);
+    if (cut.length) parts.push(`Did not reach the end: ${cut.join("; ")}.`);
     note.textContent = parts.join(" ");
   };
 

@@ -1,4 +1,4 @@
-#include "event_driven/settle.hpp"
+#include "event_driven/low_bounce.hpp"
 
 #include "event_driven/motion.hpp"
 #include "math/error_free.hpp"
@@ -14,6 +14,12 @@ bool is_rest(const State& state, BodyId body, const Flight& flight, double w, do
     if (gravity > 0) return w * w <= 2 * gravity * 16 * u * (state.radius(body) + state.frame.cell_size);
     if (gravity < 0) return false;
     return w <= 8 * u * std::sqrt(flight.velocity.squaredNorm());
+}
+
+bool is_low(const State& state, BodyId body, double w, double gravity, const ContactLaw& law)
+{
+    return law.restitution < 1 && gravity > 0 &&
+           w * w < 2 * gravity * state.scene.rest.series_below * state.radius(body);
 }
 
 Series make_series(const State& state, const Flight& flight, int plane, double w, double gravity, const ContactLaw& law)
@@ -54,28 +60,6 @@ bool series_is_clear(const State& state, BodyId body, const Flight& flight, int 
                 !(root.kind != RootKind::none && root.t < series.duration());
     }
     return clear;
-}
-
-void settle(const State& state, BodyId body, int plane, Flight& flight)
-{
-    const Vec3 normal = facing_normal(state, plane, flight.place);
-    const double n2 = normal.squaredNorm();
-    flight.place = moved(state.frame, flight.place, (-height_above(state, body, plane, flight.place) / n2) * normal);
-    flight.velocity -= (normal.dot(flight.velocity) / n2) * normal;
-    hold(state, plane, flight);
-}
-
-void hold(const State& state, int plane, Flight& flight)
-{
-    flight.support = plane;
-    flight.acceleration = state.accelerations.along(plane);
-    flight.mode = slide_or_rest(state, flight);
-}
-
-Mode slide_or_rest(const State& state, const Flight& flight)
-{
-    return flight.velocity.isZero(0) && state.accelerations[flight.acceleration].isZero(0) ? Mode::resting
-                                                                                           : Mode::sliding;
 }
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 /// \file
-/// How a sphere on one plane stops bouncing: rest by arithmetic, the Zeno series, and what it does afterwards.
+/// How a sphere on one plane stops bouncing: at rest by arithmetic, or by the closed sum of a Zeno series.
 #pragma once
 
 #include "event_driven/resolve.hpp"
@@ -11,6 +11,9 @@ namespace carom {
 /// gravity towards the plane [length/time^2]
 bool is_rest(const State& state, BodyId body, const Flight& flight, double w, double gravity);
 
+/// Is the next bounce one of those that are summed in closed form, not events of their own?
+bool is_low(const State& state, BodyId body, double w, double gravity, const ContactLaw& law);
+
 /// The series that begins with normal speed w.
 Series make_series(const State& state, const Flight& flight, int plane, double w, double gravity,
                    const ContactLaw& law);
@@ -18,12 +21,5 @@ Series make_series(const State& state, const Flight& flight, int plane, double w
 /// Does nothing else meet the ball that the series sweeps before it ends?
 bool series_is_clear(const State& state, BodyId body, const Flight& flight, int plane, const Series& series,
                      const Neighbourhood& neighbourhood);
-
-/// Put the body onto the plane: gap and normal speed 0, then `hold`.
-void settle(const State& state, BodyId body, int plane, Flight& flight);
-/// From here on the plane carries the body.
-void hold(const State& state, int plane, Flight& flight);
-/// Mode of a body that a plane carries.
-Mode slide_or_rest(const State& state, const Flight& flight);
 
 }  // namespace carom

@@ -1,0 +1,88 @@
+#include "event_driven/motion.hpp"
+#include "event_driven/resolve_impact.hpp"
+#include "event_driven/simultaneous.hpp"
+#include "event_driven/support.hpp"
+#include "impact/pair_law.hpp"
+#include "math/error_free.hpp"
+#include "toi/sphere_sphere.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+/// Closed, at relative speed 0, and pressed together by different accelerations: contact that persists.
+bool is_pressed(const State& state, BodyId a, BodyId b)
+{
+    return state.flight(a).acceleration != state.flight(b).acceleration &&
+           pair_root(state, pair_motion(state, moving(state, a), moving(state, b))).kind == RootKind::pressed;
+}
+
+/// Why this impact is not one of two spheres alone; empty if it is.
+std::string why_coupled(const State& state, const Key& key, const Flight& a, const Flight& b,
+                        const Neighbourhood& neighbourhood)
+{
+    if (belongs_to_previous_instant(state, key))
+        return several_contacts(pair_name(state, key.a, key.b), "the impact just before it");
+    BodyId body = key.a, other = other_closing(state, a, key.a, key.b, neighbourhood);
+    if (other == no_body) {
+        body = key.b;
+        other = other_closing(state, b, key.b, key.a, neighbourhood);
+    }
+    if (other == no_body) return {};
+    return several_contacts(pair_name(state, key.a, key.b), pair_name(state, body, other));
+}
+
+}  // namespace
+
+Resolution resolve_sphere_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood)
+{
+    Resolution out;
+    Flight a = advanced(state, key.a, key.time), b = advanced(state, key.b, key.time);
+    const Sphere &sa = state.sphere(key.a), &sb = state.sphere(key.b);
+    out.unresolved = why_coupled(state, key, a, b, neighbourhood);
+    if (!out.unresolved.empty()) return out;
+
+    const Vec3 r = separation(state.frame, a.place, b.place);
+    const double distance = std::sqrt(r.squaredNorm());
+    const Vec3 normal = r / distance;
+    out.penetration = std::max(0.0, sa.radius + sb.radius - distance);
+
+    const double speeds = std::sqrt(a.velocity.squaredNorm()) + std::sqrt(b.velocity.squaredNorm());
+    Event impact{EventKind::impact, {}, 0, key.a, key.b, normal, Vec3::Zero()};
+    if (approach_sign(r, a.velocity - b.velocity) < 0) {
+        const PairImpact after = resolve_pair({a.velocity, 1 / sa.mass}, {b.velocity, 1 / sb.mass}, normal,
+                                              state.laws.spheres(sa.material, sb.material));
+        a.velocity = after.velocity_a;
+        b.velocity = after.velocity_b;
+        impact.impulse = after.impulse;
+    } else if (is_pressed(state, key.a, key.b)) {
+        out.unresolved = pair_name(state, key.a, key.b) + " stay in contact: resting on spheres is not resolved yet";
+        return out;
+    }
+    out.events.push_back(impact);
+
+    for (const auto& [body, flight] : {std::pair{key.a, &a}, std::pair{key.b, &b}}) {
+        const SupportAfterImpact support = keep_to_support(state, *flight);
+        if (support == SupportAfterImpact::released)
+            out.events.push_back(release_event(state, body, state.flight(body)));
+        if (support == SupportAfterImpact::pushed) {
+            out.unresolved = several_contacts(
+                pair_name(state, key.a, key.b),
+                pair_name(state, body, state.scene.plane_body(static_cast<std::size_t>(flight->support))));
+            return out;
+        }
+    }
+    const double reduced_mass = 1 / (1 / sa.mass + 1 / sb.mass);
+    double nudge = 4 * unit_roundoff * speeds;
+    for (int i = 0; i < most_nudges && approach_sign(r, a.velocity - b.velocity) < 0; ++i, nudge *= 2) {
+        a.velocity += (nudge * reduced_mass / sa.mass) * normal;
+        b.velocity -= (nudge * reduced_mass / sb.mass) * normal;
+    }
+    out.changes = {{key.a, a, {}}, {key.b, b, {}}};
+    return out;
+}
+
+}  // namespace carom

@@ -1,0 +1,79 @@
+#include "event_driven/simultaneous.hpp"
+
+#include "event_driven/motion.hpp"
+#include "toi/sphere_sphere.hpp"
+
+#include <algorithm>
+
+namespace carom {
+
+namespace {
+
+/// Does the contact, closed at this instant, close further? \pre a is a sphere; flights are of this instant.
+bool closing_contact(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
+{
+    const double radius = std::min(state.radius(id_a), state.radius(id_b));
+    const Vec3 r = separation(state.frame, a.place, b.place);
+    const double reach = state.radius(id_a) + state.radius(id_b) + tie_fraction * radius;
+    return r.squaredNorm() <= reach * reach && approach_sign(r, a.velocity - b.velocity) < 0;
+}
+
+bool closing_contact(const State& state, const Flight& a, BodyId id, int plane)
+{
+    if (height_above(state, id, plane, a.place) > tie_fraction * state.radius(id)) return false;
+    return facing_normal(state, plane, a.place).dot(a.velocity) < 0;
+}
+
+}  // namespace
+
+BodyId other_closing(const State& state, const Flight& now, BodyId body, BodyId partner,
+                     const Neighbourhood& neighbourhood)
+{
+    BodyId found = no_body;
+    for (int p = 0; p < static_cast<int>(state.scene.planes.size()); ++p)
+        if (state.scene.plane_body(static_cast<std::size_t>(p)) != partner && p != now.support &&
+            closing_contact(state, now, body, p))
+            found = state.scene.plane_body(static_cast<std::size_t>(p));
+    for (const BodyId other : neighbourhood(body)) {
+        if (other == partner) continue;
+        const Flight& f = state.flight(other);
+        // A cheap look first: nothing beyond a generous ball can touch.
+        const double dt = state.frame.between(f.start, now.start);
+        const Vec3 shift = displacement(f.velocity, state.accelerations[f.acceleration], dt);
+        const Vec3 r = separation(state.frame, now.place, f.place) - shift;
+        const double reach = state.radius(body) + state.radius(other);
+        if (f.mode != Mode::series && r.squaredNorm() > 1.0001 * reach * reach) continue;
+        if (closing_contact(state, now, body, advanced(state, other, now.start), other)) found = other;
+    }
+    return found;
+}
+
+bool belongs_to_previous_instant(const State& state, const Key& key)
+{
+    const bool with_plane = state.is_plane(key.b);
+    const Flight& a = state.flight(key.a);
+    const auto changed = [&](BodyId body) { return state.stamps[static_cast<std::size_t>(body)] > 0; };
+    if (with_plane) {
+        if (!changed(key.a)) return false;
+        const PlaneMotion m = plane_motion(state, moving(state, key.a), state.plane_index(key.b));
+        return m.h <= tie_fraction * state.radius(key.a) && m.w < 0;
+    }
+    const Flight& b = state.flight(key.b);
+    const BodyId later = a.start < b.start ? key.b : key.a;
+    if (!changed(later)) return false;
+    const PairMotion m = pair_motion(state, moving(state, key.a), moving(state, key.b));
+    const double reach = m.contact_distance + tie_fraction * std::min(state.radius(key.a), state.radius(key.b));
+    return m.r.squaredNorm() <= reach * reach && approach_sign(m.r, m.v) < 0;
+}
+
+std::string pair_name(const State& state, BodyId a, BodyId b)
+{
+    return state.scene.body_name(a) + " and " + state.scene.body_name(b);
+}
+
+std::string several_contacts(const std::string& one, const std::string& other)
+{
+    return "several contacts close at one instant (" + one + "; " + other + "): coupled impacts are not resolved yet";
+}
+
+}  // namespace carom
