@@ -94,9 +94,10 @@ struct CompareRow {
     std::optional<double> energy_error;  ///< max |E-E_ref| / max kinetic energy of the reference
     double max_penetration = 0;          ///< [length]
     std::int64_t missed_impacts = 0, invented_impacts = 0;  ///< up to divergence_time
-    /// Of the missed impacts, those that came but more than 3 steps early or late: the pair has as many impacts left over.
+    /// Of the missed impacts, those that came but more than 3 steps early or late: the pair has as many impacts left
+    /// over.
     std::int64_t mistimed_impacts = 0;
-    std::int64_t reference_impacts = 0;                     ///< that could have been missed
+    std::int64_t reference_impacts = 0;  ///< that could have been missed
     std::int64_t impacts = 0;
     std::optional<double> rest_jitter;      ///< none if nothing rests in the reference [length/time]
     std::optional<double> divergence_time;  ///< none: never further than 0.01 r_min from the reference [time]
