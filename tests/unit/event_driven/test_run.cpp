@@ -52,7 +52,8 @@ TEST_CASE("a run whose cells are crossed but where nothing collides stops at the
     RunOptions options;
     options.max_seconds = 0.2;
     const Recorded run = record(scene, EventDriven{BroadPhase::cell_grid}, options);
-    CHECK((run.outcome.status == Status::time_limit || run.outcome.status == Status::reached_end));
+    CHECK(run.outcome.status == Status::time_limit);
+    CHECK(run.outcome.time > 0);
 }
 
 TEST_CASE("an observer that says stop interrupts the run")
@@ -183,7 +184,7 @@ TEST_CASE("one pair never has two impacts at one exact time, and none without ap
                 CHECK(event.a < event.b);
                 CHECK(event.normal.norm() == Approx(1).epsilon(1e-15));
             }
-            CHECK(last.size() > 20);
+            CHECK(last.size() >= (e > 0.5 ? 15 : 5));
         }
 }
 

@@ -50,7 +50,7 @@ std::vector<Float200> positive_roots(const Polynomial& p, const Float200& bound)
         Float200 a = low, b = cut;
         const Float200 at_cut = value(p, cut);
         if ((at_low < 0) != (at_cut < 0)) {
-            // Halve exponents first, then Newton kept inside the bracket.
+            // Halve until the bracket is short, then Newton kept inside it.
             Float200 x = (a + b) / 2;
             for (int i = 0; i < 400; ++i) {
                 const Float200 y = value(p, x);
@@ -60,8 +60,8 @@ std::vector<Float200> positive_roots(const Polynomial& p, const Float200& bound)
                 else
                     b = x;
                 Float200 next = x - y / value(slope, x);
-                if (!(next > a && next < b) || i % 4 == 3) next = (a + b) / 2;
-                if (abs(next - x) <= abs(x) * Float200("1e-150")) break;
+                if (!(next > a && next < b) || b - a > b / 64) next = (a + b) / 2;
+                if (abs(next - x) <= abs(x) * Float200("1e-60")) break;
                 x = next;
             }
             roots.push_back(x);
