@@ -2,8 +2,8 @@
 #include "support/random.hpp"
 #include "toi/sphere_sphere.hpp"
 
-#include <catch2/catch.hpp>
 #include <fcl/fcl.h>
+#include <catch2/catch.hpp>
 
 using namespace carom;
 using carom::test::Random;

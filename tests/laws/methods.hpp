@@ -13,11 +13,11 @@ namespace carom::test
 struct Claims {
     std::string label;
     Method method;
-    bool elastic_energy = false;   ///< keeps the energy where all restitutions are 1
-    bool reversible = false;       ///< runs backwards when the velocities are reversed
-    bool power_of_two = false;     ///< the same bits after scaling masses, lengths or times by powers of two
-    bool no_penetration = false;   ///< gaps stay closed to rounding
-    bool galilean = false;         ///< looks the same from a moving frame
+    bool elastic_energy = false;  ///< keeps the energy where all restitutions are 1
+    bool reversible = false;      ///< runs backwards when the velocities are reversed
+    bool power_of_two = false;    ///< the same bits after scaling masses, lengths or times by powers of two
+    bool no_penetration = false;  ///< gaps stay closed to rounding
+    bool galilean = false;        ///< looks the same from a moving frame
 };
 
 /// Every method keeps the momentum of spheres without walls, and does not care how bodies are called or axes are named.

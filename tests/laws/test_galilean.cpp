@@ -27,8 +27,8 @@ double difference(const Scene& scene, const Method& method, const Vec3& velocity
     CHECK(a.events.size() > 20);
     double worst = 0;
     for (std::size_t i = 0; i < scene.spheres.size(); ++i)
-        worst = std::max(worst, (b.outcome.final[i].position - a.outcome.time * velocity - a.outcome.final[i].position)
-                                    .norm());
+        worst = std::max(
+            worst, (b.outcome.final[i].position - a.outcome.time * velocity - a.outcome.final[i].position).norm());
     return worst;
 }
 

@@ -1,6 +1,7 @@
 #include "laws/methods.hpp"
 #include "support/scenes.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace carom;
@@ -23,8 +24,8 @@ double worst(const Scene& scene, std::span<const BodyState> states, double trave
             least = std::min(least, gap / (eps * std::max(s, travel)));
         }
         for (const auto& plane : scene.planes)
-            least = std::min(least, plane_gap(plane, scene.spheres[i], states[i].position) /
-                                        (eps * std::max(r, travel)));
+            least =
+                std::min(least, plane_gap(plane, scene.spheres[i], states[i].position) / (eps * std::max(r, travel)));
     }
     return least;
 }

@@ -1,6 +1,7 @@
 #include "laws/methods.hpp"
 #include "support/scenes.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace carom;

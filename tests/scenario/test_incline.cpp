@@ -31,7 +31,8 @@ TEST_CASE("a sphere dropped on an incline bounces down it, comes to normal rest 
     add_plane(scene, "incline", {std::sin(theta), 0, std::cos(theta)});
     add_sphere(scene, 0.1, (0.1 + height) * scene.planes[0].normal);
     const Recorded run = record(scene);
-    // Along the normal a drop under g cos(theta), along the incline a fall under g sin(theta), independent of each other.
+    // Along the normal a drop under g cos(theta), along the incline a fall under g sin(theta), independent of each
+    // other.
     const double fall = std::sqrt(2 * height / (9.81 * std::cos(theta)));
     REQUIRE(run.outcome.rest_times[0].has_value());
     CHECK(*run.outcome.rest_times[0] == Approx(fall * (1 + e) / (1 - e)).epsilon(1e-12));

@@ -17,7 +17,10 @@ class Random
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-    double uniform(double low, double high) { return low + (high - low) * std::ldexp(static_cast<double>(bits()), -53); }
+    double uniform(double low, double high)
+    {
+        return low + (high - low) * std::ldexp(static_cast<double>(bits()), -53);
+    }
     /// Uniform in the exponent, low > 0.
     double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
     int integer(int low, int high)

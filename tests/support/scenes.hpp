@@ -69,8 +69,7 @@ inline void fill_box(Scene& scene, Random& random, int count, double side, doubl
         const Vec3 p = Vec3::Constant(side / 2) + random.in_cube(side / 2 - 1.01 * r);
         const Vec3 v = random.in_cube(speed);
         bool clear = true;
-        for (const auto& s : scene.spheres)
-            clear = clear && (s.position - p).norm() > 1.01 * (s.radius + r);
+        for (const auto& s : scene.spheres) clear = clear && (s.position - p).norm() > 1.01 * (s.radius + r);
         if (clear) add_sphere(scene, r, p, v, r * r * r);
     }
 }

@@ -55,7 +55,11 @@ double difference(const Vec3& a, const Real3& b)
 
 Series example(double e, double alpha, const Vec3& acceleration)
 {
-    return {.normal_speed = 1.3, .gravity = 9.81, .restitution = e, .tangential = alpha, .velocity = {0.7, -0.2, 0},
+    return {.normal_speed = 1.3,
+            .gravity = 9.81,
+            .restitution = e,
+            .tangential = alpha,
+            .velocity = {0.7, -0.2, 0},
             .acceleration = acceleration};
 }
 

@@ -105,3 +105,20 @@ TEST_CASE("without gravity a sphere that touches a wall at speed 0 stays, withou
     CHECK(run.outcome.final[0].position == Vec3(1, 0, 0.5));
     CHECK(run.outcome.plane_impulses[0] == 0);
 }
+
+TEST_CASE(
+    "a sphere that slides along a tilted plane at the start slides, though its normal speed rounds to not quite 0")
+{
+    Random random(1);
+    for (int i = 0; i < 50; ++i) {
+        Scene scene = empty_scene(1, earth, 0.5);
+        const Vec3 normal = (Vec3(0, 0, 1.2) + random.in_cube(0.5)).normalized();
+        add_plane(scene, "incline", normal);
+        add_sphere(scene, 0.5, 0.5 * scene.planes[0].normal, random.uniform(0.1, 3) * random.across(normal));
+        const Recorded run = record(scene);
+        CHECK(run.events.empty());
+        CHECK(run.outcome.final[0].mode == Mode::sliding);
+        CHECK(run.outcome.rest_times[0] == 0.0);
+        CHECK(std::abs(plane_gap(scene.planes[0], scene.spheres[0], run.outcome.final[0].position)) <= 1e-14);
+    }
+}

@@ -13,10 +13,12 @@ TEST_CASE("the separation of two places forgets how far away both are")
     Random random(1);
     const Frame frame{1, 1};
     for (int i = 0; i < 2000; ++i) {
-        Place a = place_at(frame, random.in_cube(3) + Vec3::Constant(4)), b = place_at(frame, random.in_cube(3) + Vec3::Constant(4));
+        Place a = place_at(frame, random.in_cube(3) + Vec3::Constant(4)),
+              b = place_at(frame, random.in_cube(3) + Vec3::Constant(4));
         const Vec3 r = separation(frame, a, b);
         for (int k = 0; k < 3; ++k) {
-            const Float200 exact = Float200(a.cell[k]) + Float200(a.local[k]) - Float200(b.cell[k]) - Float200(b.local[k]);
+            const Float200 exact =
+                Float200(a.cell[k]) + Float200(a.local[k]) - Float200(b.cell[k]) - Float200(b.local[k]);
             CHECK(abs(Float200(r[k]) - exact) <= 0x1p-52 * (abs(exact) + 1));
             a.cell[k] += std::int64_t{1} << 50;
             b.cell[k] += std::int64_t{1} << 50;

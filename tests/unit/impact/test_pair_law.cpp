@@ -50,8 +50,8 @@ TEST_CASE("restitution reverses the normal speed, momentum is kept, the energy l
             const double size = momentum(c.a, c.a.velocity).norm() + momentum(c.b, c.b.velocity).norm();
             CHECK((momentum(c.a, after.velocity_a) + momentum(c.b, after.velocity_b) - p).norm() <= 1e-14 * size);
             const double reduced = 1 / (c.a.inverse_mass + c.b.inverse_mass);
-            const double lost = energy(c.a, c.a.velocity) + energy(c.b, c.b.velocity) -
-                                energy(c.a, after.velocity_a) - energy(c.b, after.velocity_b);
+            const double lost = energy(c.a, c.a.velocity) + energy(c.b, c.b.velocity) - energy(c.a, after.velocity_a) -
+                                energy(c.b, after.velocity_b);
             const double total = energy(c.a, c.a.velocity) + energy(c.b, c.b.velocity);
             CHECK(std::abs(lost - 0.5 * reduced * (1 - e * e) * before * before) <= 1e-13 * total);
             // Impulse: along the normal, -(1+e) m v_n, and it is what changed a.
@@ -73,8 +73,8 @@ TEST_CASE("the tangential factor scales the relative tangential velocity and kee
             const auto tangential = [&](const Vec3& v) { return Vec3(v - v.dot(c.normal) * c.normal); };
             const Vec3 before = tangential(c.a.velocity - c.b.velocity);
             CHECK((tangential(after.velocity_a - after.velocity_b) - alpha * before).norm() <= 1e-13);
-            const Vec3 gained = momentum(c.a, after.velocity_a - c.a.velocity) +
-                                momentum(c.b, after.velocity_b - c.b.velocity);
+            const Vec3 gained =
+                momentum(c.a, after.velocity_a - c.a.velocity) + momentum(c.b, after.velocity_b - c.b.velocity);
             CHECK(gained.norm() <= 1e-13 * (momentum(c.a, c.a.velocity).norm() + momentum(c.b, c.b.velocity).norm()));
         }
     }

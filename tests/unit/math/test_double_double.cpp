@@ -22,7 +22,8 @@ Real exact(DoubleDouble a)
 DoubleDouble any(Random& random)
 {
     const double high = std::ldexp(random.sign() * random.uniform(1, 2), random.integer(-60, 60));
-    const double part = random.integer(0, 5) == 0 ? 0 : std::ldexp(random.uniform(-0.5, 0.5), -53 - random.integer(0, 40));
+    const double part =
+        random.integer(0, 5) == 0 ? 0 : std::ldexp(random.uniform(-0.5, 0.5), -53 - random.integer(0, 40));
     return two_sum(high, high * part);
 }
 
@@ -99,7 +100,8 @@ TEST_CASE("dot and cross product of vectors of doubles are right to 1e-30 of the
 {
     Random random(4);
     for (int i = 0; i < 5000; ++i) {
-        const Vec3 a = random.in_cube(1), b = i % 2 == 0 ? Vec3(a * (1 + 1e-15) + random.in_cube(1e-15)) : random.in_cube(1);
+        const Vec3 a = random.in_cube(1),
+                   b = i % 2 == 0 ? Vec3(a * (1 + 1e-15) + random.in_cube(1e-15)) : random.in_cube(1);
         const DoubleDouble3 x{a.x(), a.y(), a.z()}, y{b.x(), b.y(), b.z()};
         const auto u = test::lift<Real>(a), v = test::lift<Real>(b);
         CHECK(abs(exact(dot(x, y)) - test::dot(u, v)) <= 1e-30);

@@ -44,10 +44,11 @@ TEST_CASE("the queue agrees with a linear search through random changes, ties in
 
 TEST_CASE("events leave the queue in order of time, then kind, then bodies")
 {
-    const std::vector<Key> ordered{{{0, 0.5}, Scheduled::cell_crossing, 9, 9}, {{1, 0.25}, Scheduled::pair_impact, 0, 5},
-                                   {{1, 0.25}, Scheduled::pair_impact, 1, 2}, {{1, 0.25}, Scheduled::pair_impact, 1, 3},
-                                   {{1, 0.25}, Scheduled::plane_impact, 0, 7}, {{1, 0.25}, Scheduled::series_end, 0, 1},
-                                   {{1, 0.5}, Scheduled::pair_impact, 0, 1},   {}};
+    const std::vector<Key> ordered{
+        {{0, 0.5}, Scheduled::cell_crossing, 9, 9}, {{1, 0.25}, Scheduled::pair_impact, 0, 5},
+        {{1, 0.25}, Scheduled::pair_impact, 1, 2},  {{1, 0.25}, Scheduled::pair_impact, 1, 3},
+        {{1, 0.25}, Scheduled::plane_impact, 0, 7}, {{1, 0.25}, Scheduled::series_end, 0, 1},
+        {{1, 0.5}, Scheduled::pair_impact, 0, 1},   {}};
     EventQueue queue(ordered.size());
     for (std::size_t i = 0; i < ordered.size(); ++i) queue.set((i * 5 + 3) % ordered.size(), ordered[i]);
     for (const Key& key : ordered) {

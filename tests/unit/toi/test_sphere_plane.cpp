@@ -105,7 +105,8 @@ TEST_CASE("a sphere that just bounced comes back, not now")
 {
     int textbook_now = 0;
     const auto bounced = [&](Random& x) -> Query {
-        const double w = x.uniform(0.1, 10), g = -x.uniform(0.1, 20), h = x.integer(-1, 1) * x.log_uniform(1e-18, 1e-15);
+        const double w = x.uniform(0.1, 10), g = -x.uniform(0.1, 20),
+                     h = x.integer(-1, 1) * x.log_uniform(1e-18, 1e-15);
         const double t = (-w + std::sqrt(w * w - 2 * g * h)) / g;  // the textbook's smaller root
         textbook_now += h <= 0 && std::abs(t) < 1e-12;
         return {h, w, g};

@@ -172,7 +172,7 @@ AcceleratedMotion backwards(const Vec3& contact, const Vec3& w, const Vec3& a, d
 
 TEST_CASE("impacts under unequal accelerations, generated backwards, are found to 4 ulp")
 {
-    const Tally tally = run(1, 600, [](Random& x) {
+    const Tally tally = run(1, 2000, [](Random& x) {
         const double s = x.uniform(0.1, 2);
         const Vec3 n = x.direction();
         const Vec3 w = -x.uniform(0.1, 5) * n + x.uniform(-5, 5) * x.across(n);
@@ -184,7 +184,7 @@ TEST_CASE("impacts under unequal accelerations, generated backwards, are found t
 
 TEST_CASE("random unequal accelerations agree with the expanded quartic")
 {
-    require_exact(run(2, 600,
+    require_exact(run(2, 2000,
                       [](Random& x) {
                           const Vec3 r = x.in_cube(4), v = x.in_cube(5), a = x.in_cube(9);
                           return AcceleratedMotion{r, v, a, x.uniform(0.1, 2)};
@@ -218,7 +218,7 @@ TEST_CASE("under unequal accelerations far, fast, tiny and huge impacts are foun
 
 TEST_CASE("pairs that overlap by rounding, separate and come back are found again, and those that only leave are not")
 {
-    const Tally back = run(6, 512, [](Random& x) {
+    const Tally back = run(6, 1500, [](Random& x) {
         const Vec3 n = x.direction();
         const Vec3 v = x.log_uniform(1e-3, 3) * n + x.uniform(-0.5, 0.5) * x.across(n);
         const double gap = x.integer(-1, 1) * x.log_uniform(1e-17, 1e-15);
