@@ -41,9 +41,10 @@ public:
     Outcome go()
     {
         Status status = Status::reached_end;
-        while (status == Status::reached_end) {
+        while (status == Status::reached_end && state_.count() > 0) {
             const Schedule::Next next = schedule_->next();
             if (next.key.time > end_) break;
+            if (status = look(next.key.time); status != Status::reached_end) break;
             if (next.key.kind == Scheduled::cell_crossing)
                 schedule_->cross(state_, next.key, out_.counts);
             else if (schedule_->is_stale(state_, next))
@@ -141,13 +142,21 @@ private:
             return stop(Status::unresolved,
                         "impacts of " + state_.scene.body_name(key.a) + " and " + state_.scene.body_name(key.b) +
                             " accumulate: coming to rest on spheres or on several planes is not resolved yet");
-        constexpr std::int64_t look_every = 256;
-        if (++executed_ % look_every != 0) return Status::reached_end;
-        if (deadline_ && Clock::now() > *deadline_)
-            return stop(Status::time_limit, "the limit of " + std::to_string(options_.max_seconds) + " s");
-        if (observer_.on_progress && !observer_.on_progress(state_.frame.seconds(now_)))
-            return stop(Status::interrupted, "interrupted");
         return Status::reached_end;
+    }
+
+    /// Now and then, also where nothing happens but cell crossings: is there time, and does the observer want more?
+    Status look(const EpochTime& time)
+    {
+        constexpr std::int64_t look_every = 256;
+        if (++looked_at_ % look_every != 0) return Status::reached_end;
+        const bool late = deadline_ && Clock::now() > *deadline_;
+        if (!late && (!observer_.on_progress || observer_.on_progress(state_.frame.seconds(time))))
+            return Status::reached_end;
+        now_ = time;
+        show_samples_before(now_);
+        return late ? stop(Status::time_limit, "the limit of " + std::to_string(options_.max_seconds) + " s")
+                    : stop(Status::interrupted, "interrupted");
     }
 
     /// More impacts of one body within one step h than any number of separate contacts explains, at a restitution below
@@ -224,7 +233,7 @@ private:
     std::vector<Recent> recent_;  ///< by body: impacts in the current window
     std::optional<Clock::time_point> deadline_;
     std::size_t next_sample_ = 0;
-    std::int64_t executed_ = 0;
+    std::int64_t looked_at_ = 0;
     std::vector<BodyState> states_;
     Outcome out_;
 };

@@ -21,6 +21,28 @@ double largest(const Vec3& a)
     return std::max({std::abs(a.x()), std::abs(a.y()), std::abs(a.z())});
 }
 
+/// r.r - S^2 of a gap that is almost closed: eight exact terms, distilled until nothing cancels any more (Ogita, Rump,
+/// Oishi, SIAM J. Sci. Comput. 26 (2005), SumK with K = 4).
+DoubleDouble square_difference(const Vec3& r, double s)
+{
+    constexpr int count = 8, passes = 3;
+    double term[count];
+    for (int k = 0; k < 4; ++k) {
+        const Sum product = k < 3 ? two_product(r[k], r[k]) : two_product(-s, s);
+        term[2 * k] = product.low;
+        term[2 * k + 1] = product.high;
+    }
+    for (int pass = 0; pass < passes; ++pass)
+        for (int i = 1; i < count; ++i) {
+            const Sum sum = two_sum(term[i], term[i - 1]);
+            term[i] = sum.high;
+            term[i - 1] = sum.low;
+        }
+    double rest = 0;
+    for (int i = 0; i < count - 1; ++i) rest += term[i];
+    return two_sum(term[count - 1], rest);
+}
+
 /// Level 1: the formulas of level 0 in double-double.
 Root solve_in_double_double(const Vec3& r_in, const Vec3& v_in, double s_in)
 {
@@ -28,7 +50,7 @@ Root solve_in_double_double(const Vec3& r_in, const Vec3& v_in, double s_in)
     const DoubleDouble s2 = DoubleDouble(s_in) * DoubleDouble(s_in);
     const DoubleDouble b = dot(r, v);
     if (!(b.high < 0)) return {RootKind::none, 0, 1};
-    const DoubleDouble c = dot(r, r) - s2;
+    const DoubleDouble c = square_difference(r_in, s_in);
     if (c.high <= 0) return {RootKind::impact, 0, 1};
     const DoubleDouble3 k = cross(r, v);
     const DoubleDouble d = dot(v, v) * s2 - dot(k, k);
@@ -59,8 +81,9 @@ Root solve(const Vec3& r, const Vec3& v, double s)
     if (d < -d_error) return {};
 
     const bool certain = b < -4 * b_error && d > 4 * d_error && c > 4 * c_error;
-    // A nearly closed gap is cancellation in c: the time would lose digits long before the decision does.
-    if (!certain || c < 0x1p-10 * s2) return solve_in_double_double(r, v, s);
+    // A nearly closed gap is cancellation in c, a grazing path in d: the time would lose digits long before the
+    // decision does.
+    if (!certain || c < 0x1p-10 * s2 || d < 0x1p-10 * as) return solve_in_double_double(r, v, s);
     return {RootKind::impact, c / (std::sqrt(d) - b), 0};
 }
 

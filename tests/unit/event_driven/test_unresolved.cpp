@@ -1,0 +1,138 @@
+/// What the engine cannot resolve yet it says: a status, names and a time; never a hang, never a wrong answer.
+#include "support/scenes.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace carom;
+using namespace carom::test;
+
+namespace
+{
+
+Outcome require_unresolved(const Scene& scene, const std::vector<std::string>& words, BroadPhase broad_phase)
+{
+    const Outcome outcome = record(scene, EventDriven{broad_phase}).outcome;
+    INFO(name(outcome.status) << " at " << outcome.time << ": " << outcome.message);
+    CHECK(outcome.status == Status::unresolved);
+    for (const auto& word : words) CHECK(outcome.message.find(word) != std::string::npos);
+    CHECK(outcome.message.find("at t = ") != std::string::npos);
+    CHECK(outcome.final.size() == scene.spheres.size());
+    for (const auto& state : outcome.final) {
+        CHECK(state.position.allFinite());
+        CHECK(state.velocity.allFinite());
+    }
+    return outcome;
+}
+
+Outcome require_unresolved(const Scene& scene, const std::vector<std::string>& words)
+{
+    const Outcome grid = require_unresolved(scene, words, BroadPhase::cell_grid);
+    const Outcome pairs = require_unresolved(scene, words, BroadPhase::all_pairs);
+    CHECK(grid.message == pairs.message);
+    CHECK(grid.event_hash == pairs.event_hash);
+    return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("a cradle is unresolved: the hit on one of two touching spheres goes on to the other at once")
+{
+    Scene scene = empty_scene(2);
+    add_sphere(scene, 0.5, {-2, 0, 0}, {1, 0, 0});
+    add_sphere(scene, 0.5, {0, 0, 0});
+    add_sphere(scene, 0.5, {1, 0, 0});
+    const Outcome outcome = require_unresolved(scene, {"s1", "s2"});
+    CHECK(outcome.time == Approx(1));
+}
+
+TEST_CASE("two spheres that hit a third at one instant are unresolved")
+{
+    Scene scene = empty_scene(2);
+    add_sphere(scene, 0.5, {-2, 0, 0}, {1, 0, 0});
+    add_sphere(scene, 0.5, {0, 0, 0});
+    add_sphere(scene, 0.5, {2, 0, 0}, {-1, 0, 0});
+    const Outcome outcome = require_unresolved(scene, {"s0", "s1", "s2"});
+    CHECK(outcome.counts.impacts == 0);
+    CHECK(outcome.time == Approx(1));
+}
+
+TEST_CASE("two separate impacts at one instant are no cluster")
+{
+    Scene scene = empty_scene(2);
+    add_sphere(scene, 0.5, {-2, 0, 0}, {1, 0, 0});
+    add_sphere(scene, 0.5, {0, 0, 0});
+    add_sphere(scene, 0.5, {-2, 5, 0}, {1, 0, 0});
+    add_sphere(scene, 0.5, {0, 5, 0});
+    const Recorded run = record(scene);
+    CHECK(run.outcome.status == Status::reached_end);
+    REQUIRE(run.events.size() == 2);
+    CHECK(run.events[0].at == run.events[1].at);
+}
+
+TEST_CASE("a corner hit is unresolved, an edge passed one wall after the other is not")
+{
+    Scene scene = empty_scene(3);
+    add_plane(scene, "left", Vec3::UnitX());
+    add_plane(scene, "front", Vec3::UnitY());
+    add_sphere(scene, 0.5, {2, 2, 0}, {-1, -1, 0});
+    const Outcome outcome = require_unresolved(scene, {"s0", "left", "front"});
+    CHECK(outcome.time == Approx(1.5));
+
+    scene.spheres[0].position.y() = 2.001;
+    const Recorded run = record(scene);
+    CHECK(run.outcome.status == Status::reached_end);
+    CHECK(run.events.size() == 2);
+    CHECK(run.outcome.final[0].velocity == Vec3(1, 1, 0));
+}
+
+TEST_CASE("a sphere at rest on a resting sphere is unresolved")
+{
+    Scene scene = empty_scene(3, earth, 0.5);
+    add_floor(scene);
+    add_sphere(scene, 0.5, {0, 0, 0.5});
+    add_sphere(scene, 0.5, {0, 0, 1.5});
+    require_unresolved(scene, {"s0", "s1"});
+}
+
+TEST_CASE("a sphere dropped onto a resting sphere is unresolved: the floor takes part")
+{
+    Scene scene = empty_scene(3, earth, 0.5);
+    add_floor(scene);
+    add_sphere(scene, 0.5, {0, 0, 0.5});
+    add_sphere(scene, 0.5, {0.1, 0, 2.5});
+    require_unresolved(scene, {"s0", "s1"});
+}
+
+TEST_CASE("a sphere in a V groove ends unresolved, whether it falls in or lies there")
+{
+    for (const double height : {0.0, 0.5}) {
+        for (const double offset : {0.0, 0.03}) {
+            Scene scene = empty_scene(20, earth, 0.5);
+            add_plane(scene, "left", {1, 0, 1});
+            add_plane(scene, "right", {-1, 0, 1});
+            add_sphere(scene, 0.1, {height > 0 ? offset : 0, 0, 0.1 * std::sqrt(2.0) + height});
+            INFO("height " << height << ", offset " << offset);
+            require_unresolved(scene, {"s0"});
+        }
+    }
+}
+
+TEST_CASE("an inelastic sphere squeezed between two others ends unresolved, not in an endless series")
+{
+    Scene scene = empty_scene(10, Vec3::Zero(), 0.05);
+    add_sphere(scene, 0.5, {-2, 0, 0}, {1, 0, 0});
+    add_sphere(scene, 0.5, {0, 0, 0});
+    add_sphere(scene, 0.5, {2.0625, 0, 0}, {-1, 0, 0});
+    require_unresolved(scene, {"s1"});
+}
+
+TEST_CASE("a heap that settles ends unresolved with names")
+{
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const Outcome outcome = record(gas(seed, 30, 60, earth, 0.5)).outcome;
+        INFO(outcome.message);
+        CHECK(outcome.status == Status::unresolved);
+        CHECK(outcome.message.find("s") != std::string::npos);
+        CHECK(outcome.time > 0.1);
+    }
+}

@@ -1,0 +1,292 @@
+/// The oracle expands the quartic that the kernel never expands, in 200 digits, and isolates every root of it and of
+/// its derivatives.
+#include "toi/sphere_sphere_accelerated.hpp"
+
+#include "support/random.hpp"
+#include "toi/sphere_sphere.hpp"
+#include "unit/toi/oracle.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <vector>
+
+using namespace carom;
+using carom::test::Float200;
+using carom::test::Random;
+
+namespace
+{
+
+using Polynomial = std::vector<Float200>;  ///< coefficients, constant first
+
+Float200 value(const Polynomial& p, const Float200& x)
+{
+    Float200 y = 0;
+    for (std::size_t i = p.size(); i-- > 0;) y = y * x + p[i];
+    return y;
+}
+
+Polynomial derivative(const Polynomial& p)
+{
+    Polynomial d;
+    for (std::size_t i = 1; i < p.size(); ++i) d.push_back(static_cast<int>(i) * p[i]);
+    return d;
+}
+
+/// Real roots in (0, bound], ascending, found between the roots of the derivative.
+std::vector<Float200> positive_roots(const Polynomial& p, const Float200& bound)
+{
+    if (p.size() < 2) return {};
+    if (p.size() == 2) {
+        if (p[1] == 0) return {};
+        const Float200 x = -p[0] / p[1];
+        return x > 0 && x <= bound ? std::vector<Float200>{x} : std::vector<Float200>{};
+    }
+    const Polynomial slope = derivative(p);
+    std::vector<Float200> cuts = positive_roots(slope, bound), roots;
+    cuts.push_back(bound);
+    Float200 low = 0, at_low = p[0];
+    for (const Float200& cut : cuts) {
+        Float200 a = low, b = cut;
+        const Float200 at_cut = value(p, cut);
+        if ((at_low < 0) != (at_cut < 0)) {
+            // Halve until the bracket is short, then Newton kept inside it.
+            Float200 x = (a + b) / 2;
+            for (int i = 0; i < 400; ++i) {
+                const Float200 y = value(p, x);
+                if (y == 0) break;
+                if ((y < 0) == (at_low < 0))
+                    a = x;
+                else
+                    b = x;
+                Float200 next = x - y / value(slope, x);
+                if (!(next > a && next < b) || b - a > b / 64) next = (a + b) / 2;
+                if (abs(next - x) <= abs(x) * Float200("1e-60")) break;
+                x = next;
+            }
+            roots.push_back(x);
+        }
+        low = cut;
+        at_low = at_cut;
+    }
+    return roots;
+}
+
+struct Truth {
+    RootKind kind = RootKind::none;
+    bool open = false;
+    Float200 t = 0;
+};
+
+Truth exact_accelerated(const AcceleratedMotion& m)
+{
+    const auto r = test::lift<Float200>(m.r), v = test::lift<Float200>(m.v), a = test::lift<Float200>(m.a);
+    const Float200 s = m.contact_distance;
+    using test::dot;
+    const Polynomial f{dot(r, r) - s * s, 2 * dot(r, v), dot(v, v) + dot(r, a), dot(v, a), dot(a, a) / 4};
+    const Polynomial rate = derivative(f);
+    Truth truth;
+    if (f[0] <= 0 && rate[0] < 0) return {RootKind::impact, false, 0};
+    if (f[0] <= 0 && rate[0] == 0 && f[2] <= 0) return {RootKind::pressed, false, 0};
+    Float200 bound = 0;
+    for (int i = 0; i < 4; ++i) bound += abs(f[i] / f[4]);
+    bound += 1;
+
+    const auto turns = positive_roots(rate, bound);
+    const auto zeros = positive_roots(f, bound);
+    Float200 first = -1;
+    const auto offer = [&](const Float200& t) {
+        if (first < 0 || t < first) first = t;
+    };
+    const Polynomial bend = derivative(rate);
+    for (const Float200& t : zeros)
+        if (value(rate, t) < 0) offer(t);
+    for (const Float200& t : turns) {
+        const Float200 depth = value(f, t);
+        Float200 scale = 0;
+        for (int k = 0; k < 3; ++k) scale += abs(r[k]) + t * abs(v[k]) + t * t * abs(a[k]);
+        if (abs(depth) <= 1000 * test::u2 * scale * scale) truth.open = true;
+        if (depth <= 0 && value(bend, t) < 0) offer(t);
+    }
+    if (first >= 0) {
+        truth.kind = RootKind::impact;
+        truth.t = first;
+    }
+    return truth;
+}
+
+struct Tally {
+    int queries = 0, hits = 0, wrong = 0, open = 0;
+    double worst = 0;  ///< [ulp]
+};
+
+template <class Generate>
+Tally run(std::uint64_t seed, int count, Generate&& generate)
+{
+    Random random(seed);
+    Tally tally;
+    for (int i = 0; i < count; ++i) {
+        const AcceleratedMotion m = generate(random);
+        const Truth truth = exact_accelerated(m);
+        const Root root = sphere_sphere_accelerated_root(m);
+        ++tally.queries;
+        if (truth.open) {
+            ++tally.open;
+            continue;
+        }
+        if (root.kind != truth.kind) {
+            if (++tally.wrong <= 3)
+                UNSCOPED_INFO("r " << m.r.transpose() << ", v " << m.v.transpose() << ", a " << m.a.transpose()
+                                   << ", S " << m.contact_distance << ": " << int(root.kind) << " at " << root.t
+                                   << ", exact " << int(truth.kind) << " at " << truth.t.convert_to<double>());
+            continue;
+        }
+        if (truth.kind != RootKind::impact) continue;
+        ++tally.hits;
+        const double error = test::ulps(root.t, truth.t);
+        if (error > 8 && error > tally.worst)
+            UNSCOPED_INFO(error << " ulp: r " << m.r.transpose() << ", v " << m.v.transpose() << ", a "
+                                << m.a.transpose() << ", S " << m.contact_distance);
+        tally.worst = std::max(tally.worst, error);
+    }
+    return tally;
+}
+
+void require_exact(const Tally& tally, double worst_ulps)
+{
+    INFO("hits " << tally.hits << " of " << tally.queries << ", open " << tally.open << ", worst " << tally.worst
+                 << " ulp");
+    CHECK(tally.wrong == 0);
+    CHECK(tally.worst <= worst_ulps);
+    CHECK(tally.open <= tally.queries / 50);
+    CHECK(tally.hits > 0);
+}
+
+/// At contact after `time` with relative velocity w, run back under a.
+AcceleratedMotion backwards(const Vec3& contact, const Vec3& w, const Vec3& a, double time, double s)
+{
+    return {contact - time * w + (0.5 * time * time) * a, w - time * a, a, s};
+}
+
+}  // namespace
+
+TEST_CASE("impacts under unequal accelerations, generated backwards, are found to 4 ulp")
+{
+    const Tally tally = run(1, 2000, [](Random& x) {
+        const double s = x.uniform(0.1, 2);
+        const Vec3 n = x.direction();
+        const Vec3 w = -x.uniform(0.1, 5) * n + x.uniform(-5, 5) * x.across(n);
+        return backwards(s * n, w, Vec3(0, 0, 9.81), x.uniform(0.01, 2), s);
+    });
+    require_exact(tally, 4);
+    CHECK(tally.hits == tally.queries);
+}
+
+TEST_CASE("random unequal accelerations agree with the expanded quartic")
+{
+    require_exact(run(2, 2000,
+                      [](Random& x) {
+                          const Vec3 r = x.in_cube(4), v = x.in_cube(5), a = x.in_cube(9);
+                          return AcceleratedMotion{r, v, a, x.uniform(0.1, 2)};
+                      }),
+                  4);
+}
+
+TEST_CASE("under unequal accelerations far, fast, tiny and huge impacts are found")
+{
+    require_exact(run(3, 300,
+                      [](Random& x) {
+                          const Vec3 n = x.direction();
+                          return backwards(n, -x.uniform(0.1, 5) * n + x.uniform(-2, 2) * x.across(n), x.in_cube(9),
+                                           x.log_uniform(1e2, 1e3), 1);
+                      }),
+                  8);
+    for (const double length : {1e-160, 1e150})
+        require_exact(run(4, 300,
+                          [length](Random& x) {
+                              const Vec3 r = x.in_cube(4), v = x.in_cube(5), a = x.in_cube(9);
+                              return AcceleratedMotion{length * r, length * v, length * a, length};
+                          }),
+                      4);
+    require_exact(run(5, 300,
+                      [](Random& x) {
+                          const Vec3 r = x.in_cube(4), v = x.in_cube(5), a = x.in_cube(1);
+                          return AcceleratedMotion{r, v, x.log_uniform(1e-12, 1e-3) * a, 1};
+                      }),
+                  8);
+}
+
+TEST_CASE("pairs that overlap by rounding, separate and come back are found again, and those that only leave are not")
+{
+    const Tally back = run(6, 1500, [](Random& x) {
+        const Vec3 n = x.direction();
+        const Vec3 v = x.log_uniform(1e-3, 3) * n + x.uniform(-0.5, 0.5) * x.across(n);
+        const double gap = x.integer(-1, 1) * x.log_uniform(1e-17, 1e-15);
+        return AcceleratedMotion{(1 + gap) * n, v, -9.81 * n, 1};
+    });
+    require_exact(back, 16);
+    CHECK(back.hits == back.queries);
+    Random random(7);
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 n = random.direction();
+        const AcceleratedMotion leaving{(1 - 1e-16) * n, random.uniform(0.01, 3) * n, 9.81 * n, 1};
+        CHECK(sphere_sphere_accelerated_root(leaving).kind == RootKind::none);
+    }
+}
+
+TEST_CASE("grazing under unequal accelerations is decided within 1e-9 and 1e-13")
+{
+    for (const double delta : {1e-6, 1e-9, 1e-13}) {
+        INFO("delta " << delta);
+        const Tally tally = run(8, 400, [delta](Random& x) {
+            const Vec3 n = x.direction(), w = x.uniform(0.1, 5) * x.across(n);
+            return backwards((1 + x.uniform(-delta, delta)) * n, w, x.uniform(-1, 9) * x.direction(), x.uniform(0.1, 2),
+                             1);
+        });
+        require_exact(tally, 16);
+        CHECK(tally.hits < tally.queries);
+    }
+}
+
+TEST_CASE("unequal accelerations at a touch: closing is now, pressed is a contact, a turn inside is when it closes")
+{
+    const Vec3 n(0, 0, 1);
+    CHECK(sphere_sphere_accelerated_root({n, -n, Vec3(1, 0, 0), 1}).t == 0);
+    CHECK(sphere_sphere_accelerated_root({n, -n, Vec3(1, 0, 0), 1}).kind == RootKind::impact);
+    CHECK(sphere_sphere_accelerated_root({n, Vec3::Zero(), -n, 1}).kind == RootKind::pressed);
+    CHECK(sphere_sphere_accelerated_root({n, Vec3::Zero(), n, 1}).kind == RootKind::none);
+    // Rises inside from 0.5 at speed 0.5 under 1 down: turns at t = 0.5 at depth 0.375.
+    const Root turn = sphere_sphere_accelerated_root({0.5 * n, 0.5 * n, -n, 1});
+    CHECK(turn.kind == RootKind::impact);
+    CHECK(turn.t == Approx(0.5).epsilon(1e-15));
+}
+
+TEST_CASE("equal accelerations give the bits of the quadratic, and swapping changes none")
+{
+    Random random(9);
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 r = random.in_cube(4), v = random.in_cube(5), a = random.in_cube(9);
+        const Root uniform = sphere_sphere_accelerated_root({r, v, Vec3::Zero(), 1});
+        CHECK(uniform.kind == sphere_sphere_root(r, v, 1).kind);
+        CHECK(uniform.t == sphere_sphere_root(r, v, 1).t);
+        const Root root = sphere_sphere_accelerated_root({r, v, a, 1}),
+                   swapped = sphere_sphere_accelerated_root({-r, -v, -a, 1});
+        CHECK(root.kind == swapped.kind);
+        CHECK(root.t == swapped.t);
+    }
+}
+
+TEST_CASE("scaling by powers of two changes no bit under unequal accelerations")
+{
+    Random random(10);
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 r = random.in_cube(4), v = random.in_cube(5), a = random.in_cube(9);
+        const Root root = sphere_sphere_accelerated_root({r, v, a, 1});
+        const int length = random.integer(-200, 200), time = random.integer(-100, 100);
+        const Root scaled =
+            sphere_sphere_accelerated_root({std::ldexp(1, length) * r, std::ldexp(1, length - time) * v,
+                                            std::ldexp(1, length - 2 * time) * a, std::ldexp(1, length)});
+        CHECK(scaled.kind == root.kind);
+        CHECK(scaled.t == std::ldexp(root.t, time));
+    }
+}
