@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <carom/error.hpp>
 
-namespace carom::io
-{
+namespace carom::io {
 
-namespace
-{
+namespace {
 
 /// "FILE:LINE:COL" of a byte.
 std::string place_of(std::string_view text, std::size_t byte, const std::string& file)

@@ -5,8 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace carom::io
-{
+namespace carom::io {
 
 /// "FILE:LINE:COL: what is wrong (the cure)" of what a JSON parser could not take.
 /// \param read how many bytes it had read, more than there are at the end of the text.

@@ -9,8 +9,7 @@
 using namespace carom;
 using carom::test::Random;
 
-namespace
-{
+namespace {
 
 double fcl_distance(const Vec3& a, double ra, const Vec3& b, double rb, fcl::GJKSolverType solver)
 {

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::test
-{
+namespace carom::test {
 
 struct Claims {
     std::string label;

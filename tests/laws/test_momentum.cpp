@@ -6,8 +6,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 Vec3 momentum(const Scene& scene, const std::vector<BodyState>& states)
 {

@@ -7,8 +7,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 /// Smallest gap of spheres and planes at these states, in units of eps times what rounding may cost: the sizes of the
 /// pair, or how far a sphere flies between two of its events (at most the whole box).

@@ -6,8 +6,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 /// By 90 degrees about z and then 120 degrees about the diagonal: axes are permuted and signs change, nothing rounds.
 Vec3 turned(const Vec3& x)

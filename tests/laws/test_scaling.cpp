@@ -7,8 +7,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 Scene scaled(Scene scene, int mass, int length, int time)
 {

@@ -5,8 +5,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 Scene drop(double restitution)
 {

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace carom::test
-{
+namespace carom::test {
 
 template <unsigned Digits>
 using Float = boost::multiprecision::number<

@@ -9,11 +9,9 @@
 #include <cstdint>
 #include <random>
 
-namespace carom::test
-{
+namespace carom::test {
 
-class Random
-{
+class Random {
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
 

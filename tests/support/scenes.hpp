@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace carom::test
-{
+namespace carom::test {
 
 inline const Vec3 earth{0, 0, -9.81};
 

@@ -9,8 +9,7 @@
 using namespace carom;
 using carom::test::Random;
 
-namespace
-{
+namespace {
 
 template <class Broad>
 std::multiset<BodyId> neighbours(const Broad& broad, BodyId body)

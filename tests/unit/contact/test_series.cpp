@@ -10,8 +10,7 @@ using namespace carom;
 using Real = carom::test::Float<100>;
 using Real3 = carom::test::Real3<Real>;
 
-namespace
-{
+namespace {
 
 struct Bouncing {
     Real height = 0, normal_speed = 0;

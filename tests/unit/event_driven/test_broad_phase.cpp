@@ -6,8 +6,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 void require_same_run(const Scene& scene, std::int64_t at_least)
 {

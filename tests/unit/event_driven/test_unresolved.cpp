@@ -6,8 +6,7 @@
 using namespace carom;
 using namespace carom::test;
 
-namespace
-{
+namespace {
 
 Outcome require_unresolved(const Scene& scene, const std::vector<std::string>& words, BroadPhase broad_phase)
 {

@@ -9,8 +9,7 @@ using namespace carom;
 using carom::test::Random;
 using Real = carom::test::Float200;
 
-namespace
-{
+namespace {
 
 Real exact(const Frame& frame, const EpochTime& t)
 {

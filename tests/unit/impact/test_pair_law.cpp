@@ -8,8 +8,7 @@
 using namespace carom;
 using carom::test::Random;
 
-namespace
-{
+namespace {
 
 struct Case {
     ImpactSide a, b;

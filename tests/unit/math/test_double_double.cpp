@@ -10,8 +10,7 @@ using namespace carom;
 using carom::test::Random;
 using Real = carom::test::Float200;
 
-namespace
-{
+namespace {
 
 Real exact(DoubleDouble a)
 {

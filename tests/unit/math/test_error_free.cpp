@@ -9,8 +9,7 @@ using namespace carom;
 using carom::test::Random;
 using Real = carom::test::Float<400>;
 
-namespace
-{
+namespace {
 
 double any(Random& random)
 {

@@ -7,8 +7,7 @@
 using namespace carom;
 using carom::test::Random;
 
-namespace
-{
+namespace {
 
 /// Few different times and kinds, so that ties are common.
 Key any(Random& random, std::size_t slot)

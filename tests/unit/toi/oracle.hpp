@@ -6,8 +6,7 @@
 #include "support/multiprecision.hpp"
 #include "toi/sphere_sphere_accelerated.hpp"
 
-namespace carom::test
-{
+namespace carom::test {
 
 struct Truth {
     bool impact = false;

@@ -10,8 +10,7 @@ using namespace carom;
 using carom::test::Float700;
 using carom::test::Random;
 
-namespace
-{
+namespace {
 
 struct Truth {
     RootKind kind = RootKind::none;

@@ -11,8 +11,7 @@
 using namespace carom;
 using carom::test::Random;
 
-namespace
-{
+namespace {
 
 struct Query {
     Vec3 r, v;
@@ -196,8 +195,7 @@ TEST_CASE("lengths of 1e-160 and 1e150 neither underflow nor overflow")
     }
 }
 
-namespace
-{
+namespace {
 
 /// Integer matrix with orthogonal columns of length a^2+b^2+c^2+d^2 (Euler, Rodrigues).
 Eigen::Matrix3d integer_rotation(int a, int b, int c, int d)

@@ -14,8 +14,7 @@ using namespace carom;
 using carom::test::Float200;
 using carom::test::Random;
 
-namespace
-{
+namespace {
 
 using Polynomial = std::vector<Float200>;  ///< coefficients, constant first
 
