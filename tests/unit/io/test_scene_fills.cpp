@@ -64,7 +64,7 @@ TEST_CASE("a fill that is too dense is refused with how many fit", "[io]")
 TEST_CASE("a fill that finds no room ends and says so", "[io]")
 {
     CHECK_THAT(problem_with(R"("spheres": [{"radius": 0.5, "position": [0.5, 0.5, 0.5]}],)" +
-                            unit_box(R"({"pattern": "random", "count": 20, "radius": 0.09})")),
+                            unit_box(R"({"pattern": "random", "count": 20, "radius": 0.12})")),
                StartsWith("s.json: /fill/0/count: found no room for more than "));
 }
 

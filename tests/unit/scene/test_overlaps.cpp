@@ -98,6 +98,7 @@ TEST_CASE("many overlaps are counted after the first twenty", "[scene]")
 TEST_CASE("the grid finds the same overlaps as a look at all pairs, for any mix of sizes", "[scene]")
 {
     Random random(11);
+    std::size_t overlaps = 0;
     for (int round = 0; round < 40; ++round) {
         const double spread = round % 2 == 0 ? 1 : 1000;  // of the radii
         std::vector<Sphere> spheres;
@@ -126,8 +127,9 @@ TEST_CASE("the grid finds the same overlaps as a look at all pairs, for any mix 
             grid.insert(i, spheres[i].position, radii[i]);
         }
         CHECK(found == expected);
-        CHECK_FALSE(expected.empty());
+        overlaps += expected.size();
     }
+    CHECK(overlaps > 200);
 }
 
 TEST_CASE("gaps are right for lengths of any size", "[scene]")

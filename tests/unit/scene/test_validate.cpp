@@ -68,12 +68,33 @@ TEST_CASE("each rule on values is checked", "[scene]")
                StartsWith("/contacts/0/attenuation: "));
     CHECK_THAT(broken_by([](Scene& s) { s.rest.numeric_step = 0; }), StartsWith("/rest/numeric_step: "));
     CHECK_THAT(broken_by([](Scene& s) { s.rest.series_below = -1; }), StartsWith("/rest/series_below: "));
-    CHECK_THAT(broken_by([](Scene& s) { s.checks.push_back({.type = "magic"}); }), StartsWith("/checks/0/type: "));
-    CHECK_THAT(broken_by([](Scene& s) { s.checks.push_back({.type = "rest_time", .body = 1}); }),
+    CHECK_THAT(broken_by([](Scene& s) {
+                   Check c;
+                   c.type = "magic";
+                   s.checks.push_back(c);
+               }),
+               StartsWith("/checks/0/type: "));
+    CHECK_THAT(broken_by([](Scene& s) {
+                   Check c;
+                   c.type = "rest_time";
+                   c.body = 1;
+                   s.checks.push_back(c);
+               }),
                StartsWith("/checks/0/body: "));
-    CHECK_THAT(broken_by([](Scene& s) { s.checks.push_back({.type = "energy", .rel = -1}); }),
+    CHECK_THAT(broken_by([](Scene& s) {
+                   Check c;
+                   c.type = "energy";
+                   c.rel = -1;
+                   s.checks.push_back(c);
+               }),
                StartsWith("/checks/0/rel: "));
-    CHECK_THAT(broken_by([](Scene& s) { s.checks.push_back({.type = "energy", .rel = 1, .abs = 1}); }),
+    CHECK_THAT(broken_by([](Scene& s) {
+                   Check c;
+                   c.type = "energy";
+                   c.rel = 1;
+                   c.abs = 1;
+                   s.checks.push_back(c);
+               }),
                StartsWith("/checks/0: has both abs and rel"));
     CHECK_THAT(broken_by([](Scene& s) { s.planes[0].id = "ball"; }),
                StartsWith("/planes/0: id \"ball\" is already that of /spheres/0"));
