@@ -148,6 +148,11 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     CLI::App* scenes = app.add_subcommand("scenes", "The catalogue of scenes");
     define_scenes(*scenes, arguments.scenes);
 
+    const auto global_help = [](CLI::App* command) {
+        command->footer(command->get_footer() + "\nEverywhere: --json, -q, -v, --no-progress, --seed N (see carom -h)");
+    };
+    for (CLI::App* command : {run, compare, report, scenes}) global_help(command);
+
     try {
         app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them last first
     } catch (const CLI::ParseError& error) {
@@ -155,6 +160,10 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
         result.exit_code = app.exit(error, out, err) == 0 ? exit_ok : exit_usage;
         result.out = out.str();
         result.err = err.str();
+        // CLI11 only says that a command is missing.
+        const bool unknown =
+            result.exit_code != exit_ok && !args.empty() && !args[0].starts_with("-") && app.get_subcommands().empty();
+        if (unknown) result.err = "carom: unknown command \"" + args[0] + "\" (take run, compare, report or scenes)\n";
         return result;
     }
     arguments.command = run->parsed()       ? Command::run

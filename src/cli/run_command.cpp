@@ -93,8 +93,9 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
     console.out << (global.json ? json : run_table(scene, run));
     const Outcome& outcome = run.outcome;
     if (outcome.status != Status::reached_end && !global.quiet)
-        print_error(console, fmt::format("{} at t = {:.10g}{}", name(outcome.status), outcome.time,
-                                         outcome.message.empty() ? "" : ": " + outcome.message));
+        print_error(console, outcome.message.empty()
+                                 ? fmt::format("{} at t = {:.10g}", name(outcome.status), outcome.time)
+                                 : fmt::format("{}: {}", name(outcome.status), outcome.message));
     return exit_code(outcome.status);
 }
 

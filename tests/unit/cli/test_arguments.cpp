@@ -97,6 +97,11 @@ TEST_CASE("usage errors exit with 2 and say so on stderr", "[arguments]")
     }
 }
 
+TEST_CASE("an unknown command is named", "[arguments]")
+{
+    CHECK_THAT(parse_arguments({"fly", "ball"}).err, Contains("unknown command \"fly\""));
+}
+
 TEST_CASE("what belongs to later versions is refused and not in the help", "[arguments]")
 {
     std::string help = parse_arguments({"-h"}).out;
