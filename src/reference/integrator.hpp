@@ -64,8 +64,7 @@ public:
 private:
     BodyId count() const { return static_cast<BodyId>(balls_.size()); }
     BodyId bodies() const { return scene_.plane_body(scene_.planes.size()); }
-    const Plane& plane(BodyId p) const { return scene_.planes[p - count()]; }
-    Face<Real> face(BodyId p, const Ball<Real>& ball) const { return Face<Real>(plane(p), ball); }
+    Face<Real> face(BodyId p, const Ball<Real>& ball) const { return {scene_.planes[p - count()], ball}; }
     Approach approach(const Ball<Real>& a, const Ball<Real>& b, double t) const
     {
         return {a.shadow, b.shadow, scene_.gravity, t};
@@ -120,9 +119,8 @@ private:
         ball.next = until_;
         const double now_rounded = static_cast<double>(now);
         double horizon = static_cast<double>(Real(until_ - now));
-        const BodyId planes = bodies() - count();
-        for (BodyId k = 0; k < planes + spheres; ++k) {
-            const BodyId j = k < planes ? count() + k : k - planes;
+        for (BodyId k = count(), end = bodies() + spheres; k < end; ++k) {
+            const BodyId j = k < bodies() ? k : k - bodies();
             if (j == i || j == support_) continue;
             if (j < count() && approach(ball, balls_[j], now_rounded).misses(horizon)) continue;
             const std::optional<Real> dt = contact_in(i, j, now);
@@ -145,8 +143,7 @@ private:
         };
         for (BodyId j = 0; j < bodies(); ++j) {
             if (j == i || j == other || j == support_) continue;
-            const bool declared = declared_.count({std::min(i, j), std::max(i, j)}) > 0;
-            const double tolerance = declared ? declared_tie : tie;
+            const double tolerance = declared_.count({std::min(i, j), std::max(i, j)}) > 0 ? declared_tie : tie;
             if (j >= count()) {
                 const Face<Real> f = face(j, ball);
                 if (f.gap(x) <= tolerance * ball.radius && closes(f.n, {})) return j;

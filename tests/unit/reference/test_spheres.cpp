@@ -139,6 +139,24 @@ TEST_CASE("Spheres of very different sizes never overlap and never leave their b
     CHECK(least < 1e-3);  // the samples do come close to contacts
 }
 
+TEST_CASE("Spheres that stick at e = 0 are not hit again by rounding", "[reference]")
+{
+    // They meet obliquely, go on together, and later bounce on the floor side by side: their contact only ever slides.
+    Scene scene;
+    ContactRule rule;
+    rule.restitution = 0;
+    scene.contacts = {rule};
+    scene.materials.push_back(Material{"floor", 1, 1, ""});
+    scene.spheres = {ball("a", {-1, 0.31, 2}, {1, 0, -1}, 1, 0.5), ball("b", {0.7, 0, 2}, {0, 0, -1}, 3, 0.5)};
+    scene.planes = {plane("floor", {0, 0, 1}, 0)};
+    scene.planes[0].material = 1;
+    const Reference ref = run_to(scene, 3);
+    CHECK(ref.reason.empty());
+    CHECK(ref.impacts.size() == 3);
+    CHECK(ref.samples[0][0].velocity.z() == 1);
+    CHECK(ref.samples[0][1].velocity.z() == 1);
+}
+
 TEST_CASE("Lengths scaled by a power of two scale the run, however small or large", "[reference]")
 {
     const Scene scene = gas(3, 0.3);
