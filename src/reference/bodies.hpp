@@ -56,6 +56,15 @@ Vector<Real> along(const Vector<Real>& v, const Vector<Real>& r)
     return r * (dot(v, r) / dot(r, r));
 }
 
+/// The coefficients between a sphere and another body.
+inline ContactLaw contact_law(const Scene& scene, BodyId a, BodyId b)
+{
+    const auto spheres = static_cast<BodyId>(scene.spheres.size());
+    const int material = scene.spheres[a].material;
+    return b < spheres ? sphere_contact_law(scene, material, scene.spheres[b].material)
+                       : plane_contact_law(scene, material, scene.planes[b - spheres].material);
+}
+
 /// What a contact with normal r takes from the relative velocity v: (1+e) of v_n and (1-alpha) of v_t.
 template <class Real>
 Vector<Real> velocity_change(const Vector<Real>& v, const Vector<Real>& r, const ContactLaw& law)

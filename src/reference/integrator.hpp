@@ -4,22 +4,15 @@
 #pragma once
 
 #include "reference/bodies.hpp"
+#include "reference/limits.hpp"
 #include "reference/reason.hpp"
 #include "reference/reference.hpp"
 #include "reference/roots.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace carom::reference {
-
-inline constexpr std::int64_t max_impacts = 2'000'000;
-/// Contacts closer than this are one instant (in radii); those of the scene's start are within 1e-9 r, by contract.
-inline constexpr double tie = 1e-12, declared_tie = 1e-9;
-/// A start slower than this fraction of v_c, or than two roundings of the speed, is at rest: normals and velocities are
-/// doubles.
-inline constexpr double still = 1e-6, still_rounding = 0x1p-51;
-/// Bounces lower than this fraction of the radius are over.
-inline constexpr double lowest_bounce = 1e-60;
 
 /// Runs the scene's doubles as exact numbers until `until` or until something that it does not model: then `reason`
 /// says what, and `stopped_at` when. Zeno series are run bounce by bounce, and a lone sphere then stays on its plane.
@@ -69,17 +62,10 @@ public:
 private:
     BodyId count() const { return static_cast<BodyId>(balls_.size()); }
     BodyId bodies() const { return scene_.plane_body(scene_.planes.size()); }
-    const Plane& plane(BodyId p) const { return scene_.planes[p - count()]; }
-    Face<Real> face(BodyId p, const Ball<Real>& ball) const { return Face<Real>(plane(p), ball); }
-    ContactLaw law_of(BodyId a, BodyId b) const
+    Face<Real> face(BodyId p, const Ball<Real>& ball) const { return {scene_.planes[p - count()], ball}; }
+    Approach approach(const Ball<Real>& a, const Ball<Real>& b, double t) const
     {
-        const int material = scene_.spheres[a].material;
-        return b < count() ? sphere_contact_law(scene_, material, scene_.spheres[b].material)
-                           : plane_contact_law(scene_, material, plane(b).material);
-    }
-    Approach approach(const Ball<Real>& a, const Ball<Real>& b, const Real& t) const
-    {
-        return {a.shadow, b.shadow, scene_.gravity, static_cast<double>(t)};
+        return {a.shadow, b.shadow, scene_.gravity, t};
     }
 
     void stop(const char* what, const std::vector<BodyId>& who, const Real& t)
@@ -129,12 +115,12 @@ private:
         Ball<Real>& ball = balls_[i];
         ball.partner = no_body;
         ball.next = until_;
+        const double now_rounded = static_cast<double>(now);
         double horizon = static_cast<double>(Real(until_ - now));
-        const BodyId planes = bodies() - count();
-        for (BodyId k = 0; k < planes + spheres; ++k) {
-            const BodyId j = k < planes ? count() + k : k - planes;
+        for (BodyId k = count(), end = bodies() + spheres; k < end; ++k) {
+            const BodyId j = k < bodies() ? k : k - bodies();
             if (j == i || j == support_) continue;
-            if (j < count() && approach(ball, balls_[j], now).misses(horizon)) continue;
+            if (j < count() && approach(ball, balls_[j], now_rounded).misses(horizon)) continue;
             const std::optional<Real> dt = contact_in(i, j, now);
             if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) continue;
             ball.next = now + *dt;
@@ -148,24 +134,23 @@ private:
     {
         const Ball<Real>& ball = balls_[i];
         const Vector<Real> x = ball.flight.position(t), before = ball.flight.velocity(t);
+        const double t_rounded = static_cast<double>(t);
+        const auto closes = [&](const Vector<Real>& n, const Vector<Real>& v) {
+            const Real noise = 1e-30 * size(n) * (size(before) + size(after));
+            return dot(n, before - v) < -noise || dot(n, after - v) < -noise;
+        };
         for (BodyId j = 0; j < bodies(); ++j) {
             if (j == i || j == other || j == support_) continue;
-            const bool declared = declared_.count({std::min(i, j), std::max(i, j)}) > 0;
-            const double tolerance = (declared ? declared_tie : tie) * ball.shadow.radius;
-            Vector<Real> n, v;
-            Real gap;
+            const double tolerance = declared_.count({std::min(i, j), std::max(i, j)}) > 0 ? declared_tie : tie;
             if (j >= count()) {
                 const Face<Real> f = face(j, ball);
-                n = f.n;
-                gap = f.gap(x);
-            } else {
-                if (approach(ball, balls_[j], t).apart(tolerance)) continue;
-                n = x - balls_[j].flight.position(t);
-                v = balls_[j].flight.velocity(t);
-                gap = sqrt(dot(n, n)) - ball.radius - balls_[j].radius;
+                if (f.gap(x) <= tolerance * ball.radius && closes(f.n, {})) return j;
+            } else if (!approach(ball, balls_[j], t_rounded).apart(tolerance * ball.shadow.radius)) {
+                const Flight<Real>& f = balls_[j].flight;
+                const Vector<Real> n = x - f.position(t);
+                const Real gap = sqrt(dot(n, n)) - ball.radius - balls_[j].radius;
+                if (gap <= tolerance * std::min(ball.radius, balls_[j].radius) && closes(n, f.velocity(t))) return j;
             }
-            const Real noise = -1e-30 * size(n) * (size(before) + size(after));
-            if (gap <= tolerance && std::min<Real>(dot(n, before - v), dot(n, after - v)) < noise) return j;
         }
         return no_body;
     }
@@ -175,7 +160,7 @@ private:
     {
         Ball<Real>& ball = balls_[a];
         Ball<Real>* other = b < count() ? &balls_[b] : nullptr;
-        const ContactLaw law = law_of(a, b);
+        const ContactLaw law = contact_law(scene_, a, b);
         const Vector<Real> va = ball.flight.velocity(t), vb = other ? other->flight.velocity(t) : Vector<Real>();
         const Vector<Real> r = other ? ball.flight.position(t) - other->flight.position(t) : face(b, ball).n;
         if (!other && snapped(dot(va, r), size(va)) >= 0) return settle(a, b, t);
@@ -239,7 +224,8 @@ private:
             return stop("rest that is not of a lone sphere on one plane", {a, b}, t);
         Ball<Real>& ball = balls_[a];
         // Infinitely many bounces with friction leave nothing of the velocity along the plane.
-        const bool stuck = ball.series >= 0 && series[ball.series].restitution > 0 && law_of(a, b).tangential < 1;
+        const bool stuck =
+            ball.series >= 0 && series[ball.series].restitution > 0 && contact_law(scene_, a, b).tangential < 1;
         const Vector<Real> n = face(b, ball).n, v = stuck ? Vector<Real>() : ball.flight.velocity(t);
         const Vector<Real> v_t = v - along(v, n), g_t = gravity_ - along(gravity_, n);
         ball.fly(t, size(v_t) <= 1e-30 * size(v) ? Vector<Real>() : v_t,

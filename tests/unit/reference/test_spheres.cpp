@@ -115,6 +115,68 @@ TEST_CASE("A gas run back from its end returns to its start", "[reference]")
     CHECK(error > 0);  // the turning point was rounded to double, and chaos shows it
 }
 
+TEST_CASE("Spheres of very different sizes never overlap and never leave their box", "[reference]")
+{
+    Scene scene = gas(4, 0.3, {0, 0, -9.81});
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+        if (i % 3 != 0) scene.spheres[i].radius = i % 3 == 1 ? 0.01 : 1e-6;
+    std::vector<double> times;
+    for (int k = 0; k <= 300; ++k) times.push_back(k * 0.003);
+    const Reference ref = make_reference(scene, 0.9, times);
+    REQUIRE(ref.reason.empty());
+    CHECK(ref.impacts.size() > 200);
+    double least = 1;
+    for (const auto& states : ref.samples) {
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            for (const Plane& p : scene.planes)
+                least = std::min(least, plane_gap(p, scene.spheres[i], states[i].position));
+            for (std::size_t j = 0; j < i; ++j)
+                least = std::min(least, (states[i].position - states[j].position).norm() - scene.spheres[i].radius -
+                                            scene.spheres[j].radius);
+        }
+    }
+    CHECK(least > -1e-15);
+    CHECK(least < 1e-3);  // the samples do come close to contacts
+}
+
+TEST_CASE("Spheres that stick at e = 0 are not hit again by rounding", "[reference]")
+{
+    // They meet obliquely, go on together, and later bounce on the floor side by side: their contact only ever slides.
+    Scene scene;
+    ContactRule rule;
+    rule.restitution = 0;
+    scene.contacts = {rule};
+    scene.materials.push_back(Material{"floor", 1, 1, ""});
+    scene.spheres = {ball("a", {-1, 0.31, 2}, {1, 0, -1}, 1, 0.5), ball("b", {0.7, 0, 2}, {0, 0, -1}, 3, 0.5)};
+    scene.planes = {plane("floor", {0, 0, 1}, 0)};
+    scene.planes[0].material = 1;
+    const Reference ref = run_to(scene, 3);
+    CHECK(ref.reason.empty());
+    CHECK(ref.impacts.size() == 3);
+    CHECK(ref.samples[0][0].velocity.z() == 1);
+    CHECK(ref.samples[0][1].velocity.z() == 1);
+}
+
+TEST_CASE("Lengths scaled by a power of two scale the run, however small or large", "[reference]")
+{
+    const Scene scene = gas(3, 0.3);
+    const Reference ref = run_to(scene, 0.5);
+    for (const double scale : {0x1p-520, 0x1p500}) {
+        Scene scaled = scene;
+        for (Sphere& s : scaled.spheres) {
+            s.radius *= scale;
+            s.position *= scale;
+            s.velocity *= scale;
+        }
+        for (Plane& p : scaled.planes) p.offset *= scale;
+        const Reference other = run_to(scaled, 0.5);
+        REQUIRE(other.samples.size() == 1);
+        CHECK(other.impacts.size() == ref.impacts.size());
+        for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+            CHECK(other.samples[0][i].position == ref.samples[0][i].position * scale);
+    }
+}
+
 TEST_CASE("The bound is rounding while the two precisions agree, and ends a chaotic run", "[reference]")
 {
     Scene scene = gas(3, 0.25);
