@@ -73,7 +73,9 @@ std::vector<Change> initial_contacts(const State& state)
             if (std::abs(height_above(state, id, p, f.place)) > declared * state.radius(id)) continue;
             const Vec3 normal = facing_normal(state, p, f.place);
             const double gravity = -normal.dot(state.accelerations[f.acceleration]);
-            if (normal.dot(f.velocity) != 0 || !(gravity > 0)) continue;
+            const double w = normal.dot(f.velocity);
+            if (!(gravity > 0) || std::abs(w) > 8 * unit_roundoff * std::sqrt(f.velocity.squaredNorm())) continue;
+            f.velocity -= w / normal.squaredNorm() * normal;  // what slides along a tilted plane rounds
             hold(state, p, f);
             changes.push_back({id, f, {}});
             break;

@@ -11,6 +11,7 @@ TEST_CASE("law: the order in which spheres and planes are listed does not matter
 {
     for (const Claims& claims : methods())
         for (const Vec3& gravity : {Vec3(0, 0, 0), earth}) {
+            if (!claims.exact) continue;
             const Scene scene = gas(5, 60, 1, gravity);
             Scene other = scene;
             std::reverse(other.spheres.begin(), other.spheres.end());

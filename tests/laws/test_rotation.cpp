@@ -35,7 +35,7 @@ TEST_CASE("law: a turned scene is the same run, turned")
             const Recorded a = record(scene, claims.method), b = record(other, claims.method);
             INFO(claims.label);
             REQUIRE(a.events.size() == b.events.size());
-            CHECK(a.events.size() > 10);
+            if (claims.exact) CHECK(a.events.size() > 10);
             for (std::size_t i = 0; i < a.events.size(); ++i) {
                 CHECK(a.events[i].a == b.events[i].a);
                 CHECK(a.events[i].b == b.events[i].b);

@@ -230,3 +230,19 @@ TEST_CASE("the events of a drop carry all the momentum the floor gave")
     for (const Event& e : run.events) impulse += e.impulse.z();
     CHECK(impulse == Approx(9.81 * *run.outcome.rest_times[0]).epsilon(1e-12));
 }
+
+TEST_CASE("a sphere that bounces right beside another comes to rest, also where its bounces cannot be summed")
+{
+    for (const double gap : {1e-3, 1e-6, 1e-9})
+        for (const double e : {0.5, 0.8, 0.95}) {
+            Scene scene = empty_scene(4, earth, e);
+            add_floor(scene);
+            add_sphere(scene, 0.1, {0, 0, 0.11});
+            add_sphere(scene, 0.1, {0.2 + gap, 0, 0.1});
+            const Recorded run = record(scene);
+            INFO("gap " << gap << ", e " << e << ": " << run.outcome.message);
+            CHECK(run.outcome.status == Status::reached_end);
+            REQUIRE(run.outcome.rest_times[0].has_value());
+            CHECK(*run.outcome.rest_times[0] == Approx(std::sqrt(0.02 / 9.81) * (1 + e) / (1 - e)).epsilon(1e-6));
+        }
+}
