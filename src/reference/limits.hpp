@@ -4,8 +4,7 @@
 
 #include <cstdint>
 
-namespace carom::reference
-{
+namespace carom::reference {
 
 inline constexpr std::int64_t max_impacts = 2'000'000;
 /// Contacts closer than this are one instant (in radii); those of the scene's start are within 1e-9 r, by contract.

@@ -12,7 +12,7 @@ namespace carom::test {
 struct Claims {
     std::string label;
     Method method;
-    bool exact = false;  ///< energy, time reversal, Galilean shift, no penetration, contacts in any order
+    bool exact = false;        ///< energy, time reversal, Galilean shift, no penetration, contacts in any order
     bool power_of_two = true;  ///< the same bits after scaling by powers of two (a step would have to be scaled, too)
 };
 
