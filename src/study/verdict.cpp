@@ -120,14 +120,27 @@ private:
             text = "The event method is not within " + tolerance() + ": " + text;
         else if (event_->missed_impacts == 0)
             text = "The event method is right: " + text;
-        if (best != nullptr) {
-            const double other = *verdict_error(*best);
-            const bool resolved = comparison_.reference.bound < *error;
-            const bool closer = resolved && other < *error;
-            text += "; the best stepper, " + best->method + " at dt = " + setting(*best) + ", is off by at most " +
-                    length(other) + (closer ? ", which is less" : "");
-        }
+        if (best != nullptr) text += "; " + steppers_in_short(*best, *error);
         return text + ".";
+    }
+
+    /// What the cheapest stepper within the tolerance costs, or how far the best one stays from it.
+    std::string steppers_in_short(const CompareRow& best, double event_error) const
+    {
+        const double error = *verdict_error(best);
+        if (error < event_error && event_error > comparison_.reference.bound)
+            return "the best stepper, " + best.method + " at dt = " + setting(best) + ", is off by at most " +
+                   length(error) + ", which is less";
+        const CompareRow* cheapest = nullptr;
+        for (const CompareRow& row : comparison_.rows)
+            if (row.dt && reached(row, comparison_.tolerance) &&
+                (cheapest == nullptr || row.cpu_seconds < cheapest->cpu_seconds))
+                cheapest = &row;
+        if (cheapest != nullptr)
+            return "the cheapest stepper within " + tolerance() + ", " + cheapest->method +
+                   " at dt = " + setting(*cheapest) + ", costs " + cost(*cheapest);
+        return "no stepper tried comes within " + tolerance() + " (the best, " + best.method +
+               " at dt = " + setting(best) + ", is off by " + length(error) + ")";
     }
 
     std::string reference_sentence() const
