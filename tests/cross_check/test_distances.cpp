@@ -19,7 +19,7 @@ double fcl_distance(const Vec3& a, double ra, const Vec3& b, double rb, fcl::GJK
     tb.translation() = b;
     fcl::DistanceRequestd request;
     request.gjk_solver_type = solver;
-    request.enable_signed_distance = true;
+    request.distance_tolerance = 1e-14;  // its default is 1e-6
     fcl::DistanceResultd result;
     return fcl::distance(&sphere_a, ta, &sphere_b, tb, request, result);
 }

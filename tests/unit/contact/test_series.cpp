@@ -17,8 +17,10 @@ struct Bouncing {
     Real3 shift{}, velocity{};
 };
 
-/// Bounce by bounce until tau falls inside a flight; `at_most` bounces.
-Bouncing bounce(const Series& s, const Real& tau, int at_most = 1000000)
+constexpr int all_that_fit = 1000000;
+
+/// Bounce by bounce until tau falls inside a flight, or until that many flights are over.
+Bouncing bounce(const Series& s, const Real& tau, int flights = all_that_fit)
 {
     const Real g = s.gravity, e = s.restitution, alpha = s.tangential;
     Real speed = s.normal_speed, rest = tau;
@@ -31,7 +33,7 @@ Bouncing bounce(const Series& s, const Real& tau, int at_most = 1000000)
             b.velocity[k] += a[k] * t;
         }
     };
-    for (int n = 0; n < at_most; ++n) {
+    for (int n = 0; n < flights; ++n) {
         const Real flight = 2 * speed / g;
         if (rest < flight) break;
         fly(flight);
@@ -39,6 +41,7 @@ Bouncing bounce(const Series& s, const Real& tau, int at_most = 1000000)
         rest -= flight;
         speed *= e;
     }
+    if (flights != all_that_fit) return b;
     fly(rest);
     b.height = speed * rest - g * rest * rest / 2;
     b.normal_speed = speed - g * rest;
@@ -101,8 +104,9 @@ TEST_CASE("right before and after a bounce the right flight is taken")
             if (2 * margin > t1 * e_power) break;  // the flights have become shorter than the margin
             const SeriesState before = state_in(s, bounce_time - margin), later = state_in(s, bounce_time + margin);
             INFO("e " << e << ", bounce " << k);
-            CHECK(before.normal_speed == Approx(-s.normal_speed * e_power / e).epsilon(1e-9));
-            CHECK(later.normal_speed == Approx(s.normal_speed * e_power).epsilon(1e-9));
+            const double slack = 2 * s.gravity * margin;  // gained or lost within the margin
+            CHECK(before.normal_speed == Approx(-s.normal_speed * e_power / e).epsilon(1e-9).margin(slack));
+            CHECK(later.normal_speed == Approx(s.normal_speed * e_power).epsilon(1e-9).margin(slack));
             CHECK(before.height <= 10 * margin * s.normal_speed);
             CHECK(later.height <= 10 * margin * s.normal_speed);
             CHECK(later.velocity.norm() == Approx(0.7 * before.velocity.norm()).epsilon(1e-9));
@@ -126,10 +130,9 @@ TEST_CASE("a series ends when and where infinitely many bounces end")
             const SeriesState end = state_at_end(s);
             CHECK(end.height == 0);
             CHECK(end.normal_speed == 0);
-            // e^n below 1e-40: nothing is left of the rest.
-            const int enough = static_cast<int>(95 / -std::log(e)) + 2;
-            const Real all = Real(2) * Real(1.3) / (Real(s.gravity) * (1 - Real(e)));
-            const Bouncing exact = bounce(s, all * (1 - pow(Real(10), -38)), enough);
+            // Until e^n and alpha^n are below 1e-40: nothing is left of the rest.
+            const double slower = alpha < 1 ? std::max(e, alpha) : e;
+            const Bouncing exact = bounce(s, 1e9, static_cast<int>(95 / -std::log(slower)) + 2);
             CHECK(difference(end.shift, exact.shift) <= 1e-13 * (s.duration() + s.duration() * s.duration()));
             CHECK(difference(end.velocity, exact.velocity) <= 1e-13 * (1 + s.duration()));
         }
