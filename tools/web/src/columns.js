@@ -37,9 +37,9 @@ export const COLUMN = Object.fromEntries(COLUMNS.map((column) => [column.key, co
 
 /** What the work-precision diagram may draw upwards, the first by default. `bounded`: the reference's bound is in the same quantity. */
 export const ERRORS = [
+  { key: "position_max", name: "greatest position error", option: "position, greatest over time", bounded: true },
   { key: "position_final_max", name: "position error at the end", option: "position, at the end (worst sphere)", bounded: true },
   { key: "position_rms", name: "position error, rms", option: "position, rms over time", bounded: true },
-  { key: "position_max", name: "greatest position error", option: "position, greatest over time", bounded: true },
   { key: "velocity_rms", name: "velocity error, rms", option: "velocity, rms over time" },
   { key: "energy_error", name: "energy error, relative", option: "energy, relative" },
   { key: "max_penetration", name: "deepest penetration", option: "penetration, deepest" },
