@@ -4,6 +4,7 @@
 #include "toi/sphere_plane.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace carom {
 
@@ -104,20 +105,26 @@ void Schedule::watch_cell(const State& state, BodyId body, const EpochTime& now,
     if (!grid) return;
     const Flight f = filed_path(state, body, now);
     const Vec3& a = state.accelerations[f.acceleration];
-    Key best;
+    double soonest = std::numeric_limits<double>::infinity();
+    BodyId wall = 0;  // axis, and which way
+    const auto look = [&](double h, double w, double g, BodyId which) {
+        if (w >= 0 && g >= 0) return;
+        const Root root = plane_root(h, w, g);
+        ++counts.root_solves;
+        // Starting to fall on the wall itself (pressed) is leaving, too.
+        if (root.kind == RootKind::none || !(root.t < soonest)) return;
+        soonest = root.t;
+        wall = which;
+    };
     for (int axis = 0; axis < 3; ++axis) {
-        const Root down =
-            plane_root(grid->above_lower_wall(state.frame, body, axis, f.place), f.velocity[axis], a[axis]);
-        const Root up =
-            plane_root(grid->below_upper_wall(state.frame, body, axis, f.place), -f.velocity[axis], -a[axis]);
-        // b names the wall: axis, and which way. Starting to fall on the wall itself (pressed) is leaving, too.
-        if (down.kind != RootKind::none)
-            best = std::min(best, Key{state.frame.after(now, down.t), Scheduled::cell_crossing, body, 2 * axis});
-        if (up.kind != RootKind::none)
-            best = std::min(best, Key{state.frame.after(now, up.t), Scheduled::cell_crossing, body, 2 * axis + 1});
+        const double v = f.velocity[axis], g = a[axis];
+        look(grid->above_lower_wall(state.frame, body, axis, f.place), v, g, 2 * axis);
+        look(grid->below_upper_wall(state.frame, body, axis, f.place), -v, -g, 2 * axis + 1);
     }
-    counts.root_solves += 1;
-    queue_.set(state.flights.size() + static_cast<std::size_t>(body), best);
+    Key leaving;
+    if (soonest < std::numeric_limits<double>::infinity())
+        leaving = {state.frame.after(now, soonest), Scheduled::cell_crossing, body, wall};
+    queue_.set(state.flights.size() + static_cast<std::size_t>(body), leaving);
 }
 
 void Schedule::cross(const State& state, const Key& crossing, Counts& counts)

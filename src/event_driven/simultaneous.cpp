@@ -20,6 +20,8 @@ bool closing_contact(const State& state, const Flight& a, BodyId id_a, const Fli
 
 bool closing_contact(const State& state, const Flight& a, BodyId id, int plane)
 {
+    const Plane& p = state.plane(plane);
+    if (!p.thickness && p.normal.dot(a.velocity) >= 0) return false;  // the cheap half of the answer first
     if (height_above(state, id, plane, a.place) > tie_fraction * state.radius(id)) return false;
     return facing_normal(state, plane, a.place).dot(a.velocity) < 0;
 }

@@ -71,8 +71,12 @@ Place moved(const Frame& frame, const Place& from, const Vec3& displacement)
     Place to = from;
     for (int k = 0; k < 3; ++k) {
         const double sum = from.local[k] + displacement[k];
+        if (sum >= 0 && sum < frame.cell_size) {
+            to.local[k] = sum;
+            continue;
+        }
         const double whole = std::floor(sum / frame.cell_size);
-        if (whole == 0 || !(std::abs(whole) < furthest)) {
+        if (!(std::abs(whole) < furthest)) {
             to.local[k] = sum;
             continue;
         }
