@@ -47,6 +47,7 @@ struct Sphere {
     Vec3 velocity = Vec3::Zero();  ///< [length/time]
     int material = 0;              ///< index into Scene::materials
     std::string color;             ///< CSS colour; empty: that of the material
+    bool fixed = false;            ///< never moves: velocity 0, infinitely heavy in impacts whatever `mass` says
 };
 
 /// Without thickness: a half-space wall, free side normal.x >= offset, gap = normal.x - offset - r.
@@ -96,6 +97,9 @@ struct Scene {
     std::string name, description;
     Units units;
     Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
+    Vec3 origin = Vec3::Zero();   ///< where the scene lies; positions and planes are relative to it [length]
+    /// What the clock showed when the run began: a label, no time of a run counts from it. `epoch` counts epochs of the run.
+    EpochTime start_time;
     double end_time = 0;          ///< > 0, length of the run [time]
     std::uint64_t seed = 1;       ///< every random choice comes from it
     std::vector<Material> materials{Material{"default", 1, 1, ""}};
