@@ -5,6 +5,7 @@
 
 #include "reference/bodies.hpp"
 #include "reference/limits.hpp"
+#include "reference/quartic.hpp"
 #include "reference/reason.hpp"
 #include "reference/reference.hpp"
 #include "reference/roots.hpp"
@@ -48,6 +49,7 @@ public:
     Mode mode(std::size_t i, const Real& t) const
     {
         const Flight<Real>& f = balls_[i].flight;
+        if (balls_[i].fixed) return Mode::fixed;
         if (support_ != no_body) return size(f.a) == 0 && size(f.velocity(t)) == 0 ? Mode::resting : Mode::sliding;
         return balls_[i].series >= 0 ? Mode::series : Mode::flying;
     }
@@ -63,10 +65,7 @@ private:
     BodyId count() const { return static_cast<BodyId>(balls_.size()); }
     BodyId bodies() const { return scene_.plane_body(scene_.planes.size()); }
     Face<Real> face(BodyId p, const Ball<Real>& ball) const { return {scene_.planes[p - count()], ball}; }
-    Approach approach(const Ball<Real>& a, const Ball<Real>& b, double t) const
-    {
-        return {a.shadow, b.shadow, scene_.gravity, t};
-    }
+    Approach approach(const Ball<Real>& a, const Ball<Real>& b, double t) const { return {a.shadow, b.shadow, t}; }
 
     void stop(const char* what, const std::vector<BodyId>& who, const Real& t)
     {
@@ -74,16 +73,26 @@ private:
         stopped_at_ = t;
     }
 
+    /// Whether gravity acts on one of two spheres alone, so that they may come to rest on each other.
+    bool pressed(const Ball<Real>& a, const Ball<Real>& b) const { return a.fixed != b.fixed && size(gravity_) > 0; }
+    /// Whether an approach at w |r| is the last of a bounce that nobody could see.
+    bool faint(const Real& w, const Vector<Real>& r, const Real& radius) const
+    {
+        return w >= 0 || w * w <= 2 * size(gravity_) * lowest_bounce * radius * dot(r, r);
+    }
+
     /// Contacts that are closed at the start: noted, and if gravity presses a still sphere on a plane, persistent.
     void start(BodyId i)
     {
         Ball<Real>& ball = balls_[i];
         for (BodyId j = 0; j < i; ++j) {
+            if (ball.fixed && balls_[j].fixed) continue;
             const double tolerance = declared_tie * std::min(ball.shadow.radius, balls_[j].shadow.radius);
             if (approach(ball, balls_[j], 0).apart(tolerance)) continue;
             const Vector<Real> r = ball.flight.x - balls_[j].flight.x;
             if (sqrt(dot(r, r)) - ball.radius - balls_[j].radius <= tolerance) declared_.emplace(j, i);
         }
+        if (ball.fixed) return;
         const Real slow = still * rest_thresholds(scene_).closing_speed + still_rounding * size(ball.flight.v);
         for (BodyId p = count(); p < bodies() && !stopped(); ++p) {
             const Face<Real> f = face(p, ball);
@@ -101,6 +110,9 @@ private:
         if (j < count()) {
             const Flight<Real>& other = balls_[j].flight;
             const Real sum = balls_[i].radius + balls_[j].radius;
+            if (pressed(balls_[i], balls_[j]))
+                return accelerated_contact<Real>(x - other.position(now), v - other.velocity(now), f.a - other.a, sum,
+                                                 until_ - now, root_solves);
             return sphere_contact<Real>(x - other.position(now), v - other.velocity(now), sum, root_solves);
         }
         const Face<Real> p = face(j, balls_[i]);
@@ -119,7 +131,7 @@ private:
         double horizon = static_cast<double>(Real(until_ - now));
         for (BodyId k = count(), end = bodies() + spheres; k < end; ++k) {
             const BodyId j = k < bodies() ? k : k - bodies();
-            if (j == i || j == support_) continue;
+            if (j == i || j == support_ || (ball.fixed && (j >= count() || balls_[j].fixed))) continue;
             if (j < count() && approach(ball, balls_[j], now_rounded).misses(horizon)) continue;
             const std::optional<Real> dt = contact_in(i, j, now);
             if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) continue;
@@ -133,6 +145,7 @@ private:
     BodyId also_touched(BodyId i, BodyId other, const Real& t, const Vector<Real>& after) const
     {
         const Ball<Real>& ball = balls_[i];
+        if (ball.fixed) return no_body;  // it passes nothing on
         const Vector<Real> x = ball.flight.position(t), before = ball.flight.velocity(t);
         const double t_rounded = static_cast<double>(t);
         const auto closes = [&](const Vector<Real>& n, const Vector<Real>& v) {
@@ -163,11 +176,13 @@ private:
         const ContactLaw law = contact_law(scene_, a, b);
         const Vector<Real> va = ball.flight.velocity(t), vb = other ? other->flight.velocity(t) : Vector<Real>();
         const Vector<Real> r = other ? ball.flight.position(t) - other->flight.position(t) : face(b, ball).n;
-        if (!other && snapped(dot(va, r), size(va)) >= 0) return settle(a, b, t);
+        const bool over = other ? pressed(ball, *other) && faint(Real(dot(va - vb, r)), r, ball.radius)
+                                : snapped(dot(va, r), size(va)) >= 0;
+        if (over) return settle(a, b, t);
         const Vector<Real> change = velocity_change<Real>(va - vb, r, law);
-        const Real share = other ? Real(other->mass / (ball.mass + other->mass)) : Real(1);
-        Vector<Real> after = (va - change * share) * law.attenuation;
-        const Vector<Real> after_b = (vb + change * (1 - share)) * law.attenuation;
+        const Real part = other ? share(ball, *other) : Real(1);
+        Vector<Real> after = (va - change * part) * law.attenuation;
+        const Vector<Real> after_b = (vb + change * (1 - part)) * law.attenuation;
 
         BodyId third = also_touched(a, b, t, after);
         if (third == no_body && other) third = also_touched(b, a, t, after_b);
@@ -184,14 +199,14 @@ private:
         if (third != no_body) return stop("several contacts at one instant", {a, b, third}, t);
         if (++executed_ > max_impacts) return stop("more than 2000000 impacts", {a, b}, t);
 
-        ball.fly(t, after, support_ == no_body ? gravity_ : ball.flight.a);
+        ball.fly(t, after, support_ == no_body && !ball.fixed ? gravity_ : ball.flight.a);
         const bool continued = ball.series >= 0 && series[ball.series].plane == b;
         if (!continued) {
             impacts.push_back({static_cast<double>(t), other ? std::min(a, b) : a, other ? std::max(a, b) : b});
             break_series(ball, t);
         }
         if (!other) return bounced(a, b, law, t);
-        other->fly(t, after_b, gravity_);
+        other->fly(t, after_b, other->flight.a);
         break_series(*other, t);
     }
 

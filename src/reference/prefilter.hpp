@@ -12,23 +12,23 @@ namespace carom::reference {
 /// A flight rounded to double.
 struct Shadow {
     double t = 0, radius = 0;
-    Vec3 x = Vec3::Zero(), v = Vec3::Zero();
+    Vec3 x = Vec3::Zero(), v = Vec3::Zero(), a = Vec3::Zero();
 };
 
-/// Relative motion of two spheres under one acceleration, from `now` on, with bounds for what rounding did to it.
+/// Relative motion of two spheres from `now` on, with bounds for what rounding did to it.
 struct Approach {
-    Vec3 r, v;
+    Vec3 r, v, acceleration;
     double sum, slack, v_slack;
 
-    Approach(const Shadow& a, const Shadow& b, const Vec3& g, double now) : sum(a.radius + b.radius)
+    Approach(const Shadow& a, const Shadow& b, double now) : acceleration(a.a - b.a), sum(a.radius + b.radius)
     {
         const double ta = now - a.t, tb = now - b.t;
-        const Vec3 xa = a.x + (a.v + g * (ta / 2)) * ta, xb = b.x + (b.v + g * (tb / 2)) * tb;
-        const Vec3 va = a.v + g * ta, vb = b.v + g * tb;
+        const Vec3 xa = a.x + (a.v + a.a * (ta / 2)) * ta, xb = b.x + (b.v + b.a * (tb / 2)) * tb;
+        const Vec3 va = a.v + a.a * ta, vb = b.v + b.a * tb;
         r = xa - xb;
         v = va - vb;
         constexpr double margin = 1e-12;  // the errors are below 1e-14 of these sums
-        v_slack = margin * (size(va) + size(vb) + size(g) * now);
+        v_slack = margin * (size(va) + size(vb) + (size(a.a) + size(b.a)) * now);
         slack = margin * (size(xa) + size(xb) + sum) + v_slack * now;
     }
 
@@ -38,7 +38,9 @@ struct Approach {
     bool misses(double horizon) const
     {
         const double far = distance(), error = 8 * (slack * size(v) + v_slack * size(r)) + 1e-300;
-        if (far - sum * (1 + 1e-9) - slack > (size(v) + v_slack) * horizon * (1 + 1e-6)) return true;
+        const double speed = size(v) + v_slack + size(acceleration) * horizon / 2;
+        if (far - sum * (1 + 1e-9) - slack > speed * horizon * (1 + 1e-6)) return true;
+        if (acceleration != Vec3::Zero()) return false;  // what follows is about straight lines
         if (r.dot(v) > error) return true;
         const double moment = r.cross(v).stableNorm();
         return std::isfinite(moment) && moment - error > sum * (v.stableNorm() + v_slack) * (1 + 1e-9);

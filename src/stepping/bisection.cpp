@@ -184,6 +184,7 @@ private:
         partners_.clear();
         const auto test = [&](BodyId j) {
             if (j == i || j == later_partner) return;
+            if (system.detector.is_fixed(index(i)) && system.detector.is_fixed(index(j))) return;
             ++system.detector.tests;
             const Vec3 d = target - target_[index(j)];
             if (overlap(d.x(), d.y(), d.z(), radius + bodies.radius[index(j)])) partners_.push_back(j);

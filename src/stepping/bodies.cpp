@@ -8,13 +8,15 @@ Bodies make_bodies(const Scene& scene)
 {
     Bodies bodies;
     for (const Sphere& s : scene.spheres) {
-        bodies.position.push_back(s.position);
+        bodies.position.push_back(scene.origin + s.position);
         bodies.velocity.push_back(s.velocity);
         bodies.radius.push_back(s.radius);
         bodies.mass.push_back(s.mass);
-        bodies.inverse_mass.push_back(1 / s.mass);
+        bodies.inverse_mass.push_back(s.fixed ? 0 : 1 / s.mass);
         bodies.material.push_back(s.material);
+        if (s.fixed) bodies.fixed.push_back(bodies.size() - 1);
     }
+    bodies.origin = scene.origin;
     return bodies;
 }
 
@@ -22,6 +24,7 @@ void accelerate(Bodies& bodies, const Vec3& gravity, double h)
 {
     const Vec3 change = h * gravity;
     for (Vec3& v : bodies.velocity) v += change;
+    for (const std::size_t i : bodies.fixed) bodies.velocity[i] = Vec3::Zero();
 }
 
 void move(Bodies& bodies, double h)
@@ -40,6 +43,14 @@ std::size_t first_diverged(const Bodies& bodies)
         if (!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()))) return i;
     }
     return bodies.size();
+}
+
+void show_states(const Bodies& bodies, std::vector<BodyState>& states)
+{
+    states.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        states[i] = {bodies.position[i] - bodies.origin, bodies.velocity[i], Mode::flying};
+    for (const std::size_t i : bodies.fixed) states[i].mode = Mode::fixed;
 }
 
 }  // namespace carom::stepping

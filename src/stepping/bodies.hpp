@@ -2,7 +2,7 @@
 /// The spheres of a run as arrays, and their free motion.
 #pragma once
 
-#include <carom/scene.hpp>
+#include <carom/simulate.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -10,22 +10,27 @@
 namespace carom::stepping {
 
 struct Bodies {
-    std::vector<Vec3> position;        ///< centre [length]
-    std::vector<Vec3> velocity;        ///< [length/time]
-    std::vector<double> radius;        ///< [length]
-    std::vector<double> mass;          ///< [mass]
-    std::vector<double> inverse_mass;  ///< [1/mass]
+    std::vector<Vec3> position;  ///< centre, absolute: a far origin costs digits here, as it does in reality [length]
+    std::vector<Vec3> velocity;  ///< [length/time]
+    std::vector<double> radius;  ///< [length]
+    std::vector<double> mass;    ///< [mass]
+    std::vector<double> inverse_mass;  ///< 0: fixed [1/mass]
     std::vector<int> material;         ///< index into Scene::materials
+    std::vector<std::size_t> fixed;    ///< those that never move
+    Vec3 origin = Vec3::Zero();        ///< of the scene: what the rest of the world counts from [length]
 
     std::size_t size() const { return position.size(); }
 };
 
 Bodies make_bodies(const Scene& scene);
 
-/// v += h g for all.
+/// v += h g for all that move.
 void accelerate(Bodies& bodies, const Vec3& gravity, double h);
 /// p += h v for all.
 void move(Bodies& bodies, double h);
+
+/// The states as everybody else sees them: relative to the scene's origin.
+void show_states(const Bodies& bodies, std::vector<BodyState>& states);
 
 /// Index of the first sphere without a finite position, size() if there is none.
 std::size_t first_diverged(const Bodies& bodies);

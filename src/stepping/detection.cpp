@@ -7,8 +7,14 @@ namespace carom::stepping {
 Detector::Detector(const Scene& scene, BroadPhase broad_phase) : spheres_(static_cast<BodyId>(scene.spheres.size()))
 {
     for (const Plane& p : scene.planes)
-        walls_.push_back({p.normal, p.offset, p.thickness.value_or(0) / 2, p.thickness.has_value()});
+        walls_.push_back(
+            {p.normal, p.offset + p.normal.dot(scene.origin), p.thickness.value_or(0) / 2, p.thickness.has_value()});
     const std::size_t n = scene.spheres.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!scene.spheres[i].fixed) continue;
+        fixed_.resize(n);
+        fixed_[i] = 1;
+    }
     if (broad_phase == BroadPhase::automatic)
         broad_phase = n > all_pairs_limit ? BroadPhase::cell_grid : BroadPhase::all_pairs;
     if (broad_phase == BroadPhase::cell_grid && n > 0) {
@@ -42,6 +48,7 @@ void Detector::find_pairs(const std::vector<Vec3>& position, const std::vector<d
     }
     for (const std::uint64_t pair : found_) {
         const std::size_t a = pair >> 32, b = pair & 0xffffffff;
+        if (is_fixed(a) && is_fixed(b)) continue;
         const Gap gap = sphere_gap(position[a], position[b], radius[a] + radius[b]);
         contacts.push_back({gap.value, static_cast<BodyId>(a), static_cast<BodyId>(b), gap.normal});
     }
@@ -49,6 +56,7 @@ void Detector::find_pairs(const std::vector<Vec3>& position, const std::vector<d
 
 void Detector::find_walls_of(BodyId sphere, const Vec3& position, double radius, std::vector<Contact>& contacts)
 {
+    if (is_fixed(static_cast<std::size_t>(sphere))) return;
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         if (!overlap(walls_[w], position, radius)) continue;
         const Gap gap = wall_gap(walls_[w], position, radius);
@@ -70,6 +78,7 @@ void Detector::find_walls(const std::vector<Vec3>& position, const std::vector<d
     std::sort(found_.begin(), found_.end());
     for (const std::uint64_t found : found_) {
         const std::size_t i = found >> 32, w = found & 0xffffffff;
+        if (is_fixed(i)) continue;
         const Gap gap = wall_gap(walls_[w], position[i], radius[i]);
         contacts.push_back({gap.value, static_cast<BodyId>(i), spheres_ + static_cast<BodyId>(w), gap.normal});
     }

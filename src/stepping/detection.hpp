@@ -41,6 +41,8 @@ public:
         }
     }
 
+    /// Fixed spheres have no contacts with each other and with walls: nothing could come of them.
+    bool is_fixed(std::size_t sphere) const { return !fixed_.empty() && fixed_[sphere] != 0; }
     bool is_wall(BodyId body) const { return body >= spheres_; }
     const Wall& wall(BodyId body) const { return walls_[static_cast<std::size_t>(body - spheres_)]; }
 
@@ -49,6 +51,7 @@ public:
 private:
     BodyId spheres_;
     std::vector<Wall> walls_;
+    std::vector<std::uint8_t> fixed_;  ///< one for each sphere; empty if none is
     std::optional<CellGrid> grid_;
     std::vector<std::uint64_t> found_;
 };

@@ -43,9 +43,7 @@ Outcome collect(const System& system, Outcome outcome)
     outcome.plane_impulses = system.impacts.plane_impulses();
     outcome.max_penetration = system.max_penetration;
     outcome.rest_times.resize(system.bodies.size());
-    outcome.final.resize(system.bodies.size());
-    for (std::size_t i = 0; i < system.bodies.size(); ++i)
-        outcome.final[i] = {system.bodies.position[i], system.bodies.velocity[i], Mode::flying};
+    show_states(system.bodies, outcome.final);
     return outcome;
 }
 

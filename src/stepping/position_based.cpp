@@ -63,14 +63,19 @@ private:
             if (gap.value > 0) continue;  // an earlier projection has parted them
             c.normal = gap.normal;
             if (respond_now) update_velocity(system, c, substep.end);
-            const double share_a = method_.mass_weighted
-                                       ? bodies.inverse_mass[a] / (bodies.inverse_mass[a] + bodies.inverse_mass[b])
-                                       : 0.5;
+            const double share_a = share(bodies.inverse_mass[a], bodies.inverse_mass[b]);
             bodies.position[a] -= (share_a * gap.value) * gap.normal;
             bodies.position[b] += ((1 - share_a) * gap.value) * gap.normal;
             note_projected(c.a);
             note_projected(c.b);
         }
+    }
+
+    /// What a takes of a projection: half, or by inverse mass; beside a fixed sphere all of it.
+    double share(double inverse_a, double inverse_b) const
+    {
+        const bool weighted = method_.mass_weighted || inverse_a == 0 || inverse_b == 0;
+        return weighted ? inverse_a / (inverse_a + inverse_b) : 0.5;
     }
 
     void at_walls(System& system, const Substep& substep, bool respond_now)

@@ -4,12 +4,10 @@ namespace carom::stepping {
 
 void Sampler::show_one(const Bodies& bodies, double fraction)
 {
-    states_.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const Vec3& end = bodies.position[i];
-        states_[i].position = fraction < 1 ? Vec3(before_[i] + fraction * (end - before_[i])) : end;
-        states_[i].velocity = bodies.velocity[i];
-    }
+    show_states(bodies, states_);
+    if (fraction < 1)
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            states_[i].position = before_[i] + fraction * (bodies.position[i] - before_[i]) - bodies.origin;
     observer_.on_sample(next_, next_time_, states_);
     ++next_;
     next_time_ =
