@@ -18,7 +18,7 @@ struct ReadOptions {
     bool allow_overlap = false;         ///< let spheres overlap each other and planes at the start
     std::optional<std::uint64_t> seed;  ///< in place of the scene's
     /// "/pointer=value", applied in this order to the document before it is read: a JSON value, or else a bare string.
-    std::vector<std::string> set;
+    std::vector<std::string> set{};
 };
 
 /// Read, expand and validate a scene file (format carom-scene/1).

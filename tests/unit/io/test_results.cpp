@@ -109,6 +109,26 @@ TEST_CASE("what is not finite is null in JSON", "[results]")
     CHECK(run["energy"]["max_relative_drift"].is_null());
 }
 
+TEST_CASE("a far scene's JSON has absolute and local positions, its origin and its start time", "[results]")
+{
+    Scene scene = two_balls();
+    RunStudy study = some_run();
+    study.outcome.final[1].position = Vec3(0.25, 0, 1);
+    const json near = json::parse(io::run_json(scene, EventDriven{}, study));
+    CHECK_FALSE(near["final"][1].contains("local"));
+    CHECK_FALSE(near.contains("origin"));
+    CHECK_FALSE(near.contains("start_time"));
+    scene.origin = Vec3(1e9, 0, -1);
+    scene.start_time = {1024, 0.5};
+    const json far = json::parse(io::run_json(scene, EventDriven{}, study));
+    CHECK(far["final"][1]["local"] == json({0.25, 0, 1}));
+    CHECK(far["final"][1]["position"] == json({1000000000.25, 0, 0}));
+    CHECK(far["origin"] == json({1e9, 0, -1}));
+    CHECK(far["start_time"] == json({{"epoch", 1024}, {"offset", 0.5}}));
+    CHECK(far["time"] == near["time"]);
+    CHECK(far["event_hash"] == near["event_hash"]);
+}
+
 TEST_CASE("final states of many spheres are written when asked for", "[results]")
 {
     Scene scene = two_balls();

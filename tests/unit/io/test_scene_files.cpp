@@ -93,7 +93,8 @@ TEST_CASE("every scene of the catalogue is valid, described and checked", "[io]"
 {
     const auto entries = list_scenes(scene_dir);
     for (const char* name : {"bouncing_ball", "incline", "bullet", "cradle", "gas_1000", "counting_pi_0",
-                             "counting_pi_1", "counting_pi_2", "counting_pi_3", "counting_pi_4"})
+                             "counting_pi_1", "counting_pi_2", "counting_pi_3", "counting_pi_4", "two_spheres",
+                             "grazing", "billiards_break", "falling_column", "extreme_masses", "far_away", "666"})
         CHECK_NOTHROW(find_scene(name, scene_dir));
     for (const auto& entry : entries) {
         INFO(entry.path);

@@ -84,10 +84,8 @@ TEST_CASE("keys that are missing, or that exclude each other, are reported", "[i
 TEST_CASE("what a later version will read is refused as not yet supported, at its pointer", "[io]")
 {
     const std::vector<std::pair<std::string, std::string>> later{
-        {R"("origin": [1, 0, 0])", "/origin"},
-        {R"("start_time": {"epoch": 1, "offset": 0})", "/start_time"},
-        {R"("drag": 0.1)", "/drag"},
-        {R"("obstacles": [{}])", "/obstacles"},
+        {R"("drag": 0)", "/drag"},
+        {R"("obstacles": [])", "/obstacles"},
         {R"("impact": "lcp")", "/impact"},
         {R"("guard": "off")", "/guard"},
         {R"("state": {})", "/state"},
@@ -95,7 +93,6 @@ TEST_CASE("what a later version will read is refused as not yet supported, at it
         {R"("rest": {"policy": "none"})", "/rest/policy"},
         {R"("box": {"min": [0, 0, 0], "max": [1, 1, 1], "walls": "periodic"})", "/box/walls"},
         {R"("box": {"min": [0, 0, 0], "max": [1, 1, 1], "walls": ["solid", "periodic", "solid"]})", "/box/walls/1"},
-        {R"("spheres": [{"radius": 1, "position": [0, 0, 0], "fixed": true}])", "/spheres/0/fixed"},
         {R"("box": {"min": [0, 0, 0], "max": [1, 1, 1]}, "fill": [{"pattern": "fcc", "count": 4, "radius": 0.1}])",
          "/fill/0/pattern"},
         {R"("fill": [{"pattern": "line", "count": 4, "radius": 0.1, "temperature": 1}])", "/fill/0/temperature"},

@@ -50,7 +50,7 @@ TEST_CASE("what a scene leaves out has its default", "[io]")
 {
     const Scene s = parse_scene(scene_with(R"("spheres": [{"radius": 1, "position": [0, 0, 0]}, {"radius": 1,
         "position": [3, 0, 0], "fixed": false}], "planes": [{"normal": [0, 0, 2], "offset": -1}],
-        "origin": [0, 0, 0], "start_time": 0, "drag": 0, "obstacles": [])"),
+        "origin": [0, 0, 0], "start_time": 0)"),
                                 "folder/two.json");
     CHECK(s.name == "two");
     CHECK(s.gravity == Vec3::Zero());

@@ -1,0 +1,139 @@
+#include "cli/cli.hpp"
+#include "cli/exit_codes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <unistd.h>
+
+#include <carom/io.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+using namespace carom::cli;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* ball_scene =
+    R"({"format": "carom-scene/1", "name": "Ball", "end_time": 2,
+ "spheres": [{"id": "ball", "radius": 1, "position": [0, 0, 2], "velocity": [0, 0, -1]}],
+ "planes": [{"id": "floor", "normal": [0, 0, 1], "offset": 0}],
+ "checks": [{"type": "no_overlap"}, {"type": "event_time", "event": 0, "time": 1, "abs": 1e-15}]})";
+
+class File {
+public:
+    explicit File(const std::string& text)
+        : path_(fs::temp_directory_path() / ("carom-check-" + std::to_string(::getpid()) + ".json"))
+    {
+        std::ofstream(path_) << text;
+    }
+    ~File() { fs::remove(path_); }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    std::string path() const { return path_.string(); }
+
+private:
+    fs::path path_;
+};
+
+struct Said {
+    int code;
+    std::string out, err;
+};
+
+Said carom_tool(const std::vector<std::string>& args)
+{
+    std::ostringstream out, err;
+    const int code = run_cli(args, Console{out, err});
+    return {code, out.str(), err.str()};
+}
+
+}  // namespace
+
+TEST_CASE("check says which checks hold, and exits with 4 if one fails", "[cli]")
+{
+    const File file(ball_scene);
+    const Said good = carom_tool({"check", file.path()});
+    CHECK(good.code == exit_ok);
+    CHECK_THAT(good.out, Contains("(Ball): 2 of 2 checks hold") && Contains("event_time 0"));
+    const Said bad = carom_tool({"check", file.path(), "--set", "/spheres/0/velocity/2=-2"});
+    CHECK(bad.code == exit_check_failed);
+    CHECK_THAT(bad.out, Contains("1 of 2 checks hold") && Contains("fails: event_time 0: expected 1, found 0.5"));
+    const Said as_json = carom_tool({"check", file.path(), "--json", "--set", "/spheres/0/velocity/2=-2"});
+    CHECK(as_json.code == exit_check_failed);
+    const json report = json::parse(as_json.out);
+    CHECK(report["format"] == "carom-check/1");
+    CHECK(report["passed"] == false);
+    CHECK(report["scenes"][0]["checks"][0]["verdict"] == "holds");
+    CHECK(report["scenes"][0]["checks"][1]["verdict"] == "fails");
+    CHECK(report["scenes"][0]["checks"][1]["error"] == 0.5);
+}
+
+TEST_CASE("check exits with 1 where a run ends unresolved and nothing fails, with 4 where something does", "[cli]")
+{
+    const std::vector<std::string> jam{"--set",
+                                       R"(/spheres=[{"radius": 1, "position": [-2, 0, 5], "velocity": [1, 0, 0]},
+        {"radius": 1, "position": [1, 0, 5]}, {"radius": 1, "position": [4, 0, 5], "velocity": [-1, 0, 0]}])"};
+    const File file(ball_scene);
+    std::vector<std::string> args{"check", file.path(), "--set", "/checks=[{\"type\": \"no_overlap\"}]"};
+    args.insert(args.end(), jam.begin(), jam.end());
+    const Said open = carom_tool(args);
+    CHECK(open.code == exit_failed);
+    CHECK_THAT(open.out, Contains("open: no_overlap: the run ended unresolved at t = 1"));
+    CHECK_THAT(open.err, Contains("several contacts"));
+    args[3] = R"(/checks=[{"type": "no_overlap"}, {"type": "event_count", "count": 0, "abs": 0}])";
+    CHECK(carom_tool(args).code == exit_failed);  // no impact was counted before the jam
+    args.insert(args.begin() + 1, {"bouncing_ball"});
+    CHECK(carom_tool(args).code == exit_failed);
+}
+
+TEST_CASE("--set changes scenes of run and compare, and its errors name the pointer", "[cli]")
+{
+    const File file(ball_scene);
+    const json run = json::parse(carom_tool({"run", file.path(), "--json", "--set", "/spheres/0/id=other"}).out);
+    CHECK(run["final"][0]["id"] == "other");
+    const Said wrong = carom_tool({"run", file.path(), "--set", "/spheres/5/id=other"});
+    CHECK(wrong.code == exit_bad_input);
+    CHECK_THAT(wrong.err, Contains("/spheres/5: --set: no such element"));
+    CHECK(carom_tool({"compare", file.path(), "--set", "/end_time=0"}).code == exit_bad_input);
+}
+
+TEST_CASE("scenes are validated, one or all, and the schema is printed", "[cli]")
+{
+    const File file(R"({"format": "carom-scene/1", "end_time": -1, "spheres": 3})");
+    const Said bad = carom_tool({"scenes", "validate", file.path(), "bouncing_ball"});
+    CHECK(bad.code == exit_bad_input);
+    CHECK_THAT(bad.out, Contains("bouncing_ball.json: valid"));
+    CHECK_THAT(bad.err, Contains("/end_time: must be > 0") && Contains("/spheres: must be a list"));
+    const json report = json::parse(carom_tool({"scenes", "validate", file.path(), "--json"}).out);
+    CHECK(report["scenes"][0]["valid"] == false);
+    CHECK(report["scenes"][0]["problems"].size() == 2);
+    CHECK(carom_tool({"scenes", "validate"}).code == exit_ok);
+    CHECK(json::parse(carom_tool({"scenes", "schema"}).out)["title"] == "carom-scene/1");
+}
+
+TEST_CASE("a scene's defaults may ask for all final states", "[cli]")
+{
+    const File file(R"({"format": "carom-scene/1", "end_time": 1, "run": {"final": true},
+        "fill": [{"pattern": "line", "count": 1001, "radius": 1, "gap": 1}]})");
+    CHECK(json::parse(carom_tool({"run", file.path(), "--json"}).out)["final"].size() == 1001);
+    CHECK_FALSE(
+        json::parse(carom_tool({"run", file.path(), "--json", "--set", "/run/final=false"}).out).contains("final"));
+}
+
+TEST_CASE("every scene of the catalogue passes its checks, but for those that need coupled impacts", "[cli]")
+{
+    const std::set<std::string> coupled{"666"};
+    for (const carom::CatalogueEntry& entry : carom::list_scenes(scene_folder())) {
+        CAPTURE(entry.name);
+        const Said said = carom_tool({"check", entry.path.string(), "--json"});
+        CHECK(said.code == (coupled.contains(entry.name) ? exit_failed : exit_ok));
+        CHECK(fs::exists(fs::path(entry.path).replace_extension(".svg")));
+    }
+}

@@ -1,0 +1,199 @@
+#include <carom/checks.hpp>
+
+#include "make_sphere.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace carom;
+using Catch::Contains;
+
+namespace {
+
+Check check_of(const std::string& type, std::optional<double> abs = {})
+{
+    Check check;
+    check.type = type;
+    check.abs = abs;
+    if (type == "event_count") check.kind = "impact";
+    return check;
+}
+
+/// One metre above a floor, e = 0.8: impacts at 0.4515 and 1.174 s.
+Scene dropped_ball(const std::vector<Check>& checks)
+{
+    Scene scene;
+    scene.gravity = Vec3(0, 0, -9.81);
+    scene.end_time = 1.5;
+    scene.materials = {{"rubber", 0.8, 1, ""}};
+    scene.spheres.push_back(make_sphere("ball", 0.1, Vec3(0, 0, 1.1)));
+    Plane floor;
+    floor.id = "floor";
+    scene.planes.push_back(floor);
+    scene.checks = checks;
+    return scene;
+}
+
+CheckResult result_of(const Check& check)
+{
+    const CheckReport report = check_scene(dropped_ball({check}));
+    REQUIRE(report.results.size() == 1);
+    return report.results[0];
+}
+
+const double first_impact = std::sqrt(2 / 9.81);
+
+/// Two balls that meet a third at one instant: coupled, which carom does not resolve yet.
+Scene coupled(const std::vector<Check>& checks)
+{
+    Scene scene;
+    scene.end_time = 3;
+    for (const double x : {-2.0, 0.0, 2.0}) {
+        scene.spheres.push_back(make_sphere(x < 0 ? "left" : x > 0 ? "right" : "middle", 0.5, Vec3(x, 0, 0)));
+        scene.spheres.back().velocity = Vec3(-x / 2, 0, 0);
+    }
+    scene.spheres.push_back(make_sphere("other", 0.5, Vec3(0, 9, 0)));
+    scene.spheres.push_back(make_sphere("third", 0.5, Vec3(1.5, 9, 0)));
+    scene.spheres.back().velocity = Vec3(-1, 0, 0);
+    scene.checks = checks;
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("event_time holds within its tolerance and fails beyond it", "[checks]")
+{
+    Check check = check_of("event_time", 1e-12);
+    check.time = first_impact;
+    CHECK(result_of(check).verdict == CheckVerdict::holds);
+    check.time += 1e-6;
+    const CheckResult off = result_of(check);
+    CHECK(off.verdict == CheckVerdict::fails);
+    CHECK(*off.error == Approx(1e-6).epsilon(1e-6));
+    CHECK_THAT(off.message, Contains("expected 0.45152"));
+    check.abs.reset();
+    check.rel = 1e-5;
+    CHECK(result_of(check).verdict == CheckVerdict::holds);
+    check.index = 1;
+    check.time = first_impact * (1 + 2 * 0.8);
+    check.rel = 1e-13;
+    CHECK(result_of(check).verdict == CheckVerdict::holds);
+    check.index = 2;
+    const CheckResult none = result_of(check);
+    CHECK(none.verdict == CheckVerdict::fails);
+    CHECK_THAT(none.message, Contains("there are only 2 impacts"));
+}
+
+TEST_CASE("event_count counts the kind it names", "[checks]")
+{
+    Check check = check_of("event_count");
+    check.count = 2;
+    CHECK(result_of(check).verdict == CheckVerdict::holds);
+    check.count = 3;
+    CHECK(result_of(check).verdict == CheckVerdict::fails);
+    check.abs = 1;
+    CHECK(result_of(check).verdict == CheckVerdict::holds);
+    check.abs.reset();
+    check.kind = "rest";
+    check.count = 0;
+    CHECK(result_of(check).verdict == CheckVerdict::holds);
+}
+
+TEST_CASE("rest_time fails where a sphere did not come to rest, and holds where it did", "[checks]")
+{
+    Check check = check_of("rest_time", 1e-11);
+    check.body = 0;
+    check.time = 9 * first_impact;
+    CHECK(result_of(check).verdict == CheckVerdict::fails);
+    Scene scene = dropped_ball({check});
+    scene.end_time = 5;
+    CHECK(check_scene(scene).all_hold());
+    scene.checks[0].time += 1e-3;
+    CHECK(check_scene(scene).any_fails());
+}
+
+TEST_CASE("final states are compared as vectors", "[checks]")
+{
+    Scene scene;
+    scene.end_time = 2;
+    scene.origin = Vec3(1e9, 0, 0);
+    scene.spheres.push_back(make_sphere("ball", 1));
+    scene.spheres[0].velocity = Vec3(3, 4, 0);
+    Check position = check_of("final_position", 1e-15), velocity = check_of("final_velocity", 1e-15);
+    position.body = velocity.body = 0;
+    position.value = Vec3(6, 8, 0);  // relative to the origin
+    velocity.value = Vec3(3, 4, 0);
+    scene.checks = {position, velocity};
+    CHECK(check_scene(scene).all_hold());
+    scene.checks[0].value = Vec3(6, 8, 1e-3);
+    scene.checks[1].value = -velocity.value;
+    const CheckReport report = check_scene(scene);
+    CHECK(*report.results[0].error == Approx(1e-3));
+    CHECK(*report.results[1].error == Approx(10));
+    CHECK(report.any_fails());
+    scene.checks[0].abs.reset();
+    scene.checks[0].rel = 1.1e-4;
+    CHECK(check_scene(scene).results[0].verdict == CheckVerdict::holds);
+}
+
+TEST_CASE("energy, momentum, overlap and walls hold for a free flight", "[checks]")
+{
+    Scene scene = dropped_ball({check_of("no_overlap"), check_of("energy", 1e-12), check_of("inside")});
+    scene.end_time = 0.4;
+    CHECK(check_scene(scene).all_hold());
+    scene.end_time = 1;  // a bounce takes 36 % of 9.81 J
+    const CheckReport bounced = check_scene(scene);
+    CHECK(bounced.results[0].verdict == CheckVerdict::holds);
+    CHECK(bounced.results[1].verdict == CheckVerdict::fails);
+    CHECK(*bounced.results[1].error == Approx(0.36 * 9.81));
+    CHECK_THAT(bounced.results[1].message, Contains("some contacts take energy"));
+    Scene falling = dropped_ball({check_of("momentum", 1e-12)});
+    CHECK(check_scene(falling).any_fails());
+    falling.gravity = Vec3::Zero();
+    CHECK(check_scene(falling).all_hold());
+}
+
+TEST_CASE("checks judge the figures of a run, whoever made it", "[checks]")
+{
+    Scene scene = dropped_ball({check_of("no_overlap"), check_of("inside"), check_of("energy", 1)});
+    CheckedRun run;
+    run.study.outcome.final = initial_states(scene);
+    run.study.outcome.rest_times.resize(1);
+    run.study.max_penetration = 2e-10;  // more than 1e-9 of the radius
+    run.study.escaped = 1;
+    run.study.max_energy_change = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<CheckResult> results = evaluate_checks(scene, run);
+    for (const CheckResult& each : results) CHECK(each.verdict == CheckVerdict::fails);
+    run.study.max_penetration = 0.5e-10;
+    run.study.escaped = 0;
+    run.study.max_energy_change = 1;
+    for (const CheckResult& each : evaluate_checks(scene, run)) CHECK(each.verdict == CheckVerdict::holds);
+}
+
+TEST_CASE("a run that ends early leaves open what needs its end, and judges what came before", "[checks]")
+{
+    Check first = check_of("event_time", 1e-12), later = first, count = check_of("event_count"),
+          place = check_of("final_position", 1);
+    first.time = 0.5;
+    later.index = 5;
+    count.count = 3;
+    place.body = 0;
+    Scene scene = coupled({first, later, count, place, check_of("no_overlap"), check_of("energy", 1)});
+    const CheckReport report = check_scene(scene);
+    CHECK(report.run.study.outcome.status == Status::unresolved);
+    CHECK(report.results[0].verdict == CheckVerdict::holds);
+    for (std::size_t k = 1; k < report.results.size(); ++k) {
+        CAPTURE(report.results[k].what);
+        CHECK(report.results[k].verdict == CheckVerdict::open);
+        CHECK_THAT(report.results[k].message, Contains("the run ended unresolved at t = 1"));
+    }
+    CHECK_FALSE(report.any_fails());
+    CHECK_FALSE(report.all_hold());
+    scene.checks[0].time = 0.4;  // what came before still counts
+    CHECK(check_scene(scene).any_fails());
+    scene.checks = {count};
+    scene.checks[0].count = 0;  // there was one already
+    CHECK(check_scene(scene).any_fails());
+}
