@@ -17,6 +17,7 @@ enum class BroadPhase : std::uint8_t { automatic, all_pairs, cell_grid };
 /// Exact in time: the next contact is a root, not a step.
 struct EventDriven {
     BroadPhase broad_phase = BroadPhase::automatic;
+    std::string kernel;  ///< name of a kernel (`kernels`); empty: the cheapest that covers the scene
 };
 
 /// In which order a discrete method visits the contacts of one pass.
