@@ -76,6 +76,21 @@ TEST_CASE("Bisection resolves several bounces within one step", "[stepping]")
     CHECK(outcome.max_penetration < 1e-13);
 }
 
+TEST_CASE("A contact foreseen before a sphere was deflected is forgotten", "[stepping]")
+{
+    // Ball 0 flies at the wall, grazes ball 1 on its way, and goes on slower: it must not bounce when it would have
+    // been there.
+    const Scene scene =
+        scene_of({ball(0.1, Vec3(0.7, 0, 0), Vec3(-1, 0, 0)), ball(0.1, Vec3(0.5, 0.19, 0))}, {wall(Vec3::UnitX(), 0)});
+    const double dx = std::sqrt(0.2 * 0.2 - 0.19 * 0.19), nx = dx / 0.2;
+    const double grazed = 0.2 - dx, speed = 1 - nx * nx;
+    const auto events = events_of(scene, Bisection{steps(1)}, 0.75);
+    REQUIRE(events.size() == 2);
+    CHECK(events[0].time == Approx(grazed).epsilon(1e-12));
+    CHECK(events[1].b == 2);
+    CHECK(events[1].time == Approx(grazed + (0.7 - grazed - 0.1) / speed).epsilon(1e-12));
+}
+
 TEST_CASE("Bisection ends even where bounces accumulate within a step", "[stepping]")
 {
     // A ball caught between two walls that are closer than its diameter, and one between walls that leave it 1e-12.
@@ -117,6 +132,7 @@ TEST_CASE("An elastic gas under bisection keeps its energy, never overlaps and s
         CAPTURE(n);
         CHECK(outcome.counts.impacts > static_cast<std::int64_t>(3 * n));
         CHECK(outcome.counts.root_solves >= outcome.counts.impacts - 5);
+        CHECK(outcome.counts.root_solves < 2 * outcome.counts.impacts);
         CHECK(drift < 1e-12);
         CHECK(deepest < 1e-13);
         CHECK(outcome.max_penetration < 1e-13);
