@@ -32,13 +32,16 @@ public:
     void advance(System& system, const Substep& substep)
     {
         begin(system, substep);
-        // Responses beyond this are not tried: what still overlaps then is accepted, so that every substep ends.
+        // Where bounces accumulate within a substep it would not end: beyond this number of responses nothing is
+        // foreseen any more. What is known gets one response each, in order of time, and the overlap that is left then
+        // is accepted.
         constexpr std::int64_t most_for_a_scene = 100, most_for_a_sphere = 10;
-        const auto n = static_cast<std::int64_t>(system.bodies.size());
-        std::int64_t left = most_for_a_scene + most_for_a_sphere * n;
-        while (!queue_.empty() && left > 0) {
-            const Pending next = pop();
-            if (next.stamp != stamp(next.a, next.b)) continue;
+        std::int64_t left = most_for_a_scene + most_for_a_sphere * static_cast<std::int64_t>(system.bodies.size());
+        while (!queue_.empty()) {
+            Pending next = pop();
+            settling_ = left <= 0;
+            if (!settling_ && next.stamp != stamp(next.a, next.b)) continue;
+            if (settling_ && !still_due(system, next)) continue;
             if (respond_at(system, substep, next)) --left;
         }
         end(system);
@@ -65,6 +68,7 @@ private:
             since_[i] = 0;
             target_[i] = bodies.position[i] + h_ * bodies.velocity[i];
         }
+        settling_ = false;
         queue_.clear();
         seen_.clear();
         contacts_.clear();
@@ -115,6 +119,7 @@ private:
     void add(System& system, BodyId a, BodyId b, double end_gap, double now)
     {
         seen_.emplace_back(a, b);
+        if (settling_) return;
         double time = now;
         const Gap start = gap_at(system, a, b, now);
         ++system.detector.tests;
@@ -127,6 +132,15 @@ private:
         }
         queue_.push_back({time, rank(system, a, b, end_gap), a, b, stamp(a, b)});
         std::push_heap(queue_.begin(), queue_.end(), later);
+    }
+
+    /// While settling: do the two, as they move now, still overlap at the end? \param next gets a time that both have
+    /// reached.
+    bool still_due(const System& system, Pending& next) const
+    {
+        const bool pair = !system.detector.is_wall(next.b);
+        next.time = std::max({next.time, since_[index(next.a)], pair ? since_[index(next.b)] : 0});
+        return gap_at(system, next.a, next.b, h_).value <= 0;
     }
 
     static bool later(const Pending& x, const Pending& y)
@@ -218,6 +232,7 @@ private:
         return 0;
     }
 
+    bool settling_ = false;              ///< too many responses in this substep
     double h_ = 0;                       ///< of this substep [time]
     std::vector<double> since_;          ///< moment of Bodies::position, since the begin of the substep [time]
     std::vector<Vec3> target_;           ///< where each will be at the end of the substep [length]
