@@ -1,6 +1,6 @@
 /// \file
-/// What a scene needs of an engine, and what each compiled kernel has. A scene runs on the first kernel of the list that covers its
-/// needs, so it pays for nothing that it does not use. All kernels give the same events, bit for bit.
+/// What a scene needs of an engine, and what each compiled kernel has. A scene runs on the first kernel of the list
+/// that covers its needs, so it pays for nothing that it does not use. All kernels give the same events, bit for bit.
 #pragma once
 
 #include <carom/scene.hpp>

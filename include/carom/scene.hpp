@@ -98,10 +98,11 @@ struct Scene {
     Units units;
     Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
     Vec3 origin = Vec3::Zero();   ///< where the scene lies; positions and planes are relative to it [length]
-    /// What the clock showed when the run began: a label, no time of a run counts from it. `epoch` counts epochs of the run.
+    /// What the clock showed when the run began: a label, no time of a run counts from it. `epoch` counts epochs of the
+    /// run.
     EpochTime start_time;
-    double end_time = 0;          ///< > 0, length of the run [time]
-    std::uint64_t seed = 1;       ///< every random choice comes from it
+    double end_time = 0;     ///< > 0, length of the run [time]
+    std::uint64_t seed = 1;  ///< every random choice comes from it
     std::vector<Material> materials{Material{"default", 1, 1, ""}};
     std::vector<ContactRule> contacts;
     RestOptions rest;

@@ -1,5 +1,6 @@
 /// \file
-/// Which kernel runs a scene. A kernel is the loop of run.hpp over a schedule that has just the features its name promises.
+/// Which kernel runs a scene. A kernel is the loop of run.hpp over a schedule that has just the features its name
+/// promises.
 #include "event_driven/engine.hpp"
 
 #include "event_driven/lone_schedule.hpp"
@@ -11,18 +12,21 @@ namespace carom {
 namespace {
 
 template <class Schedule>
-Outcome run_with(const Scene& scene, const Kernel& kernel, const EventDriven& method, const RunOptions& options, const Observer& observer)
+Outcome run_with(const Scene& scene, const Kernel& kernel, const EventDriven& method, const RunOptions& options,
+                 const Observer& observer)
 {
     return Run<Schedule>(scene, kernel, method, options, observer).go();
 }
 
 }  // namespace
 
-Outcome run_event_driven(const Scene& scene, const EventDriven& method, const RunOptions& options, const Observer& observer)
+Outcome run_event_driven(const Scene& scene, const EventDriven& method, const RunOptions& options,
+                         const Observer& observer)
 {
     const Kernel& kernel = choose_kernel(scene, method.kernel);
     if (!kernel.features.pairs) return run_with<LoneSchedule>(scene, kernel, method, options, observer);
-    if (!kernel.features.gravity) return run_with<Schedule<Features{.gravity = false, .pairs = true}>>(scene, kernel, method, options, observer);
+    if (!kernel.features.gravity)
+        return run_with<Schedule<Features{.gravity = false, .pairs = true}>>(scene, kernel, method, options, observer);
     return run_with<Schedule<Features{.gravity = true, .pairs = true}>>(scene, kernel, method, options, observer);
 }
 

@@ -21,7 +21,8 @@ void Ledger::report(const State& state, const EpochTime& now, Event event)
         case EventKind::impact:
             ++out.counts.impacts;
             if (state.is_plane(event.b))
-                out.plane_impulses[static_cast<std::size_t>(state.plane_index(event.b))] += event.impulse.dot(event.normal);
+                out.plane_impulses[static_cast<std::size_t>(state.plane_index(event.b))] +=
+                    event.impulse.dot(event.normal);
             break;
         case EventKind::rest:
             ++out.counts.rests;
@@ -31,7 +32,8 @@ void Ledger::report(const State& state, const EpochTime& now, Event event)
             ++out.counts.releases;
             out.rest_times[a].reset();
             break;
-        case EventKind::guard: break;
+        case EventKind::guard:
+            break;
     }
     hash_.add(event);
     if (observer_.on_event) observer_.on_event(event);

@@ -15,7 +15,8 @@ public:
 
     /// Record an event that happens at `now`.
     void report(const State& state, const EpochTime& now, Event event);
-    /// Add what a plane has carried since the body's flight began, from the balance of normal momentum. Call before the flight changes.
+    /// Add what a plane has carried since the body's flight began, from the balance of normal momentum. Call before the
+    /// flight changes.
     void account_for_support(const State& state, BodyId body, const EpochTime& now);
 
     std::int64_t events() const { return out.counts.impacts + out.counts.rests + out.counts.releases; }

@@ -31,7 +31,8 @@ Key first_of_planes(const State& state, const Moving& sphere, Counts& counts)
         const Root root = gravity ? plane_root(m.h, m.w, m.g) : uniform_plane_root(m.h, m.w);
         if (root.kind == RootKind::none) continue;
         ++counts.root_solves;
-        best = std::min(best, Key{state.frame.after(flight.start, root.t), kind, sphere.body, state.scene.plane_body(static_cast<std::size_t>(p))});
+        best = std::min(best, Key{state.frame.after(flight.start, root.t), kind, sphere.body,
+                                  state.scene.plane_body(static_cast<std::size_t>(p))});
     }
     return best;
 }

@@ -24,10 +24,10 @@ struct Change {
 /// Outcome of one event.
 struct Resolution {
     Few<Change, 2> changes;
-    Series series;         ///< of the one change whose flight is a series, if any
-    Few<Event, 3> events;  ///< times and hash are the loop's business: only kind, a, b, normal, impulse
-    double penetration = 0;     ///< of the contact at the instant of impact, >= 0 [length]
-    std::string unresolved;     ///< not empty: what carom cannot resolve, where and why
+    Series series;           ///< of the one change whose flight is a series, if any
+    Few<Event, 3> events;    ///< times and hash are the loop's business: only kind, a, b, normal, impulse
+    double penetration = 0;  ///< of the contact at the instant of impact, >= 0 [length]
+    std::string unresolved;  ///< not empty: what carom cannot resolve, where and why
 };
 
 /// Carry out the event `key`, whose participants have not changed since it was predicted.

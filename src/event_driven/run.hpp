@@ -1,5 +1,6 @@
 /// \file
-/// One run in progress: the loop, for any schedule. (A template: a scene of one sphere runs without queue, broad phase and stamps.)
+/// One run in progress: the loop, for any schedule. (A template: a scene of one sphere runs without queue, broad phase
+/// and stamps.)
 #pragma once
 
 #include "event_driven/impact_rate.hpp"
@@ -16,7 +17,8 @@ namespace carom {
 template <class Schedule>
 class Run {
 public:
-    Run(const Scene& scene, const Kernel& kernel, const EventDriven& method, const RunOptions& options, const Observer& observer)
+    Run(const Scene& scene, const Kernel& kernel, const EventDriven& method, const RunOptions& options,
+        const Observer& observer)
         : state_(scene),
           ledger_(state_, kernel, observer),
           options_(options),
@@ -52,7 +54,8 @@ private:
     static std::optional<Clock::time_point> deadline(const RunOptions& options)
     {
         if (!(options.max_seconds < 1e9)) return {};
-        return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.max_seconds));
+        return Clock::now() +
+               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.max_seconds));
     }
 
     /// Contacts of the start take hold before anything is predicted.
@@ -74,7 +77,8 @@ private:
         for (const Change& change : resolution.changes) commit(change, resolution.series);
         ledger_.out.max_penetration = std::max(ledger_.out.max_penetration, resolution.penetration);
         for (const Event& event : resolution.events) ledger_.report(state_, now_, event);
-        for (const Change& change : resolution.changes) schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
+        for (const Change& change : resolution.changes)
+            schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
         return limits(key, resolution);
     }
 
@@ -93,8 +97,9 @@ private:
         if (ledger_.events() >= options_.max_events)
             return stop(Status::event_limit, "the limit of " + std::to_string(options_.max_events) + " events");
         if (rate_.accumulates(state_, key, resolution))
-            return stop(Status::unresolved, "impacts of " + state_.scene.body_name(key.a) + " and " + state_.scene.body_name(key.b) +
-                                                " accumulate: coming to rest on spheres or on several planes is not resolved yet");
+            return stop(Status::unresolved,
+                        "impacts of " + state_.scene.body_name(key.a) + " and " + state_.scene.body_name(key.b) +
+                            " accumulate: coming to rest on spheres or on several planes is not resolved yet");
         return Status::reached_end;
     }
 
@@ -104,7 +109,8 @@ private:
         constexpr std::int64_t look_every = 256;
         if (++looked_at_ % look_every != 0) return Status::reached_end;
         const bool late = deadline_ && Clock::now() > *deadline_;
-        if (!late && (!observer_.on_progress || observer_.on_progress(state_.frame.seconds(time)))) return Status::reached_end;
+        if (!late && (!observer_.on_progress || observer_.on_progress(state_.frame.seconds(time))))
+            return Status::reached_end;
         now_ = time;
         show_samples_before(now_);
         return late ? stop(Status::time_limit, "the limit of " + std::to_string(options_.max_seconds) + " s")

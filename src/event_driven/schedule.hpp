@@ -77,7 +77,8 @@ public:
     std::span<const BodyId> neighbours(BodyId body)
     {
         found_.clear();
-        std::visit([&](const auto& broad) { broad.neighbours(body, [&](BodyId other) { found_.push_back(other); }); }, candidates_);
+        std::visit([&](const auto& broad) { broad.neighbours(body, [&](BodyId other) { found_.push_back(other); }); },
+                   candidates_);
         return found_;
     }
 
@@ -137,11 +138,16 @@ private:
             const double v = f.velocity[axis];
             if constexpr (features.gravity) {
                 const double g = state.accelerations[f.acceleration][axis];
-                if (v < 0 || g < 0) keep(plane_root(grid->above_lower_wall(state.frame, body, axis, f.place), v, g), 2 * axis);
-                if (v > 0 || g > 0) keep(plane_root(grid->below_upper_wall(state.frame, body, axis, f.place), -v, -g), 2 * axis + 1);
+                if (v < 0 || g < 0)
+                    keep(plane_root(grid->above_lower_wall(state.frame, body, axis, f.place), v, g), 2 * axis);
+                if (v > 0 || g > 0)
+                    keep(plane_root(grid->below_upper_wall(state.frame, body, axis, f.place), -v, -g), 2 * axis + 1);
             } else {
-                if (v < 0) keep(uniform_plane_root(grid->above_lower_wall(state.frame, body, axis, f.place), v), 2 * axis);
-                if (v > 0) keep(uniform_plane_root(grid->below_upper_wall(state.frame, body, axis, f.place), -v), 2 * axis + 1);
+                if (v < 0)
+                    keep(uniform_plane_root(grid->above_lower_wall(state.frame, body, axis, f.place), v), 2 * axis);
+                if (v > 0)
+                    keep(uniform_plane_root(grid->below_upper_wall(state.frame, body, axis, f.place), -v),
+                         2 * axis + 1);
             }
         }
         Key leaving;

@@ -1,5 +1,6 @@
 /// \file
-/// Motion without gravity: what motion.hpp does, with everything left out that is zero. The same bits, in fewer instructions.
+/// Motion without gravity: what motion.hpp does, with everything left out that is zero. The same bits, in fewer
+/// instructions.
 #pragma once
 
 #include "event_driven/state.hpp"
@@ -17,7 +18,8 @@ struct UniformPairMotion {
 inline UniformPairMotion uniform_pair_motion(const State& state, BodyId a, BodyId b)
 {
     const Flight &fa = state.flight(a), &fb = state.flight(b);
-    UniformPairMotion m{fa.start, separation(state.frame, fa.place, fb.place), fa.velocity - fb.velocity, state.radius(a) + state.radius(b)};
+    UniformPairMotion m{fa.start, separation(state.frame, fa.place, fb.place), fa.velocity - fb.velocity,
+                        state.radius(a) + state.radius(b)};
     if (fa.start < fb.start) {
         m.from = fb.start;
         m.r += state.frame.between(fa.start, fb.start) * fa.velocity;

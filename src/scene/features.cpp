@@ -28,7 +28,10 @@ Features needs(const Scene& scene)
     return {.gravity = !scene.gravity.isZero(0), .pairs = scene.spheres.size() > 1};
 }
 
-std::span<const Kernel> kernels() { return list; }
+std::span<const Kernel> kernels()
+{
+    return list;
+}
 
 const Kernel& choose_kernel(const Scene& scene, std::string_view forced)
 {
