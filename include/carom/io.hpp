@@ -17,6 +17,8 @@ namespace carom {
 struct ReadOptions {
     bool allow_overlap = false;         ///< let spheres overlap each other and planes at the start
     std::optional<std::uint64_t> seed;  ///< in place of the scene's
+    /// "/pointer=value", applied in this order to the document before it is read: a JSON value, or else a bare string.
+    std::vector<std::string> set;
 };
 
 /// Read, expand and validate a scene file (format carom-scene/1).
@@ -26,6 +28,9 @@ Scene read_scene(const std::filesystem::path& file, const ReadOptions& options =
 
 /// The same for text in memory; `file` is used in messages only.
 Scene parse_scene(std::string_view text, const std::string& file, const ReadOptions& options = {});
+
+/// Every scene file under `root` (recursively, *.json but not the schema), readable or not, sorted by path.
+std::vector<std::filesystem::path> scene_files(const std::filesystem::path& root);
 
 struct CatalogueEntry {
     std::string name;  ///< what users type: the file's stem

@@ -22,15 +22,23 @@ struct RunArguments {
     std::string scene;
     GivenOptions given;  ///< method, dt, substeps, passes, order, literal, until, max_events, max_seconds
     bool always_final = false, allow_overlap = false;
-    std::string out;     ///< folder for run.json; may be empty
-    std::string events;  ///< CSV file; may be empty
+    std::vector<std::string> set;  ///< "/pointer=value"
+    std::string out;               ///< folder for run.json; may be empty
+    std::string events;            ///< CSV file; may be empty
 };
 
 struct CompareArguments {
     std::string scene;
     GivenOptions given;  ///< methods, dt, substeps, passes, order, literal, until, repeats, tolerance
     bool allow_overlap = false;
-    std::string out;  ///< folder; empty: out/compare-NAME
+    std::vector<std::string> set;  ///< "/pointer=value"
+    std::string out;               ///< folder; empty: out/compare-NAME
+};
+
+struct CheckArguments {
+    std::vector<std::string> scenes;
+    bool allow_overlap = false;
+    std::vector<std::string> set;  ///< "/pointer=value", of every scene
 };
 
 struct ReportArguments {
@@ -38,17 +46,22 @@ struct ReportArguments {
     std::string out;  ///< HTML file; empty: FOLDER/report.html for one folder, out/report.html for several
 };
 
+enum class ScenesAction { list, show, validate, schema };
+
 struct ScenesArguments {
-    std::string show;  ///< scene to show; empty: list all
+    ScenesAction action = ScenesAction::list;
+    std::string show;                   ///< scene to show
+    std::vector<std::string> validate;  ///< scenes to validate; empty: the catalogue
 };
 
-enum class Command { run, compare, report, scenes };
+enum class Command { run, compare, check, report, scenes };
 
 struct Arguments {
     GlobalArguments global;
     Command command = Command::run;
     RunArguments run;
     CompareArguments compare;
+    CheckArguments check;
     ReportArguments report;
     ScenesArguments scenes;
 };

@@ -148,7 +148,7 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
 {
     const Choices choices(args.given, scene.run, file + ": /run");
     choices.expect_known(
-        {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds"});
+        {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds", "final"});
     StepOptions step;
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();
@@ -156,7 +156,8 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
     step.order = choices.order();
     step.literal = choices.flag("literal");
     step.seed = global.seed.value_or(scene.seed);
-    RunSettings settings{make_method(choices.methods("method", {"event"}).front(), step), {}};
+    RunSettings settings{make_method(choices.methods("method", {"event"}).front(), step), {}, false};
+    settings.always_final = args.always_final || choices.flag("final");
     settings.run.until = choices.number("until", scene.end_time);
     settings.run.max_events = choices.integer("max_events", settings.run.max_events);
     settings.run.max_seconds = choices.number("max_seconds", settings.run.max_seconds);

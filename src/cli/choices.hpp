@@ -45,6 +45,7 @@ private:
 struct RunSettings {
     Method method;
     RunOptions run;
+    bool always_final = false;  ///< final states of many spheres, too
 };
 RunSettings run_settings(const RunArguments& args, const GlobalArguments& global, const Scene& scene,
                          const std::string& file);
