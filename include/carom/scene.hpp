@@ -120,6 +120,11 @@ struct Scene {
     }
 };
 
+/// Every broken rule as "/json/pointer: what is wrong (the cure)"; empty when the scene is valid. Values first (finite,
+/// in range, ids unique, materials known); if those hold, overlaps: a gap below -1e-9 r, r the smaller
+/// radius, unless `allow_overlap`. Scenes that a reader gave are valid; ask for those built in code.
+std::vector<std::string> validate(const Scene& scene, bool allow_overlap = false);
+
 /// Coefficients for contacts between two spheres of these materials: smaller restitution; tangential and attenuation 1
 /// unless a ContactRule gives them.
 ContactLaw sphere_contact_law(const Scene& scene, int material_a, int material_b);
