@@ -15,7 +15,7 @@ quietly "$cmake" --install "$build" --prefix "$work/prefix" --config "$config" -
 # Block k of a language, in the README's order, becomes readme_k.EXTENSION.
 blocks() {
     awk -v start="^\`\`\`$1\$" -v name="$work/readme_" -v extension="$1" '
-        $0 ~ start { inside = 1; file = name ++k "." extension; next }
+        $0 ~ start { inside = 1; k += 1; file = name k "." extension; next }
         /^```$/ { inside = 0 }
         inside { print > file }' "$source/README.md"
     ls "$work"/readme_*."$1" | paste -sd ';'
