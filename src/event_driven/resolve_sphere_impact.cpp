@@ -81,7 +81,8 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
         a.velocity += (nudge * reduced_mass / sa.mass) * normal;
         b.velocity -= (nudge * reduced_mass / sb.mass) * normal;
     }
-    out.changes = {{key.a, a, {}}, {key.b, b, {}}};
+    out.changes.push_back({key.a, a});
+    out.changes.push_back({key.b, b});
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include "flight/flight.hpp"
 #include "impact/contact_laws.hpp"
 
+#include <carom/features.hpp>
 #include <carom/simulate.hpp>
 
 #include <unordered_map>
