@@ -1,6 +1,8 @@
 #include "cli/arguments.hpp"
 #include "cli/exit_codes.hpp"
 
+#include <carom/method.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -46,7 +48,7 @@ void define_run(CLI::App& app, RunArguments& run)
     app.add_option("scene", run.scene, "Scene file, or a name of the catalogue (carom scenes)")
         ->required()
         ->type_name("SCENE");
-    add_given(app, run.given, "--method", "METHOD", "event, pbd, velocity, bisection or naive [event]");
+    add_given(app, run.given, "--method", "METHOD", CLI::detail::join(method_names(), ", ") + " [event]");
     add_given(app, run.given, "--dt", "H", "Step of a discrete method; 1/240 is a number [1/240]");
     add_given(app, run.given, "--substeps", "N", "Substeps of a step [1]");
     add_given(app, run.given, "--passes", "N", "Passes over the contacts in a substep [1]");
