@@ -7,7 +7,7 @@
 using namespace carom;
 using namespace carom::test;
 
-TEST_CASE("law: an elastic run, reversed, comes back to its start; steps do not")
+TEST_CASE("law: an elastic run, reversed, comes back to its start; steps under gravity do not")
 {
     for (const Claims& claims : methods()) {
         for (const Vec3& gravity : {Vec3(0, 0, 0), earth}) {
@@ -28,7 +28,10 @@ TEST_CASE("law: an elastic run, reversed, comes back to its start; steps do not"
                 worst = std::max(worst, (back.final[i].position - scene.spheres[i].position).norm());
                 worst = std::max(worst, (back.final[i].velocity + scene.spheres[i].velocity).norm());
             }
-            CHECK((worst <= 1e-9) == claims.exact);
+            if (claims.exact)
+                CHECK(worst <= 1e-9);
+            else if (!gravity.isZero(0))
+                CHECK(worst > 1e-6);
         }
     }
 }
