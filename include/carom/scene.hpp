@@ -1,8 +1,8 @@
 /// \file
 /// A scene as plain data: what the files in `scenes/` say, with every fill and box expanded.
 ///
-/// Ranges are noted with the fields and checked by `validate`; whoever takes a scene expects a valid one. Functions here
-/// throw nothing.
+/// Ranges are noted with the fields and checked by `validate`; whoever takes a scene expects a valid one. Functions
+/// here throw nothing.
 #pragma once
 
 #include <carom/types.hpp>

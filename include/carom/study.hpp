@@ -30,7 +30,7 @@ struct RunStudy {
     Outcome outcome;
     double initial_energy = 0, final_energy = 0;  ///< [mass length^2/time^2]
     std::optional<double>
-        max_relative_drift;  ///< max |E-E0| / max kinetic energy over samples; none where energy is not kept
+        max_relative_drift;         ///< max |E-E0| / max kinetic energy over samples; none where energy is not kept
     double max_energy_change = 0;   ///< max |E-E0| over samples [mass length^2/time^2]
     double max_kinetic_energy = 0;  ///< over samples [mass length^2/time^2]
     Vec3 initial_momentum = Vec3::Zero(), final_momentum = Vec3::Zero();  ///< [mass length/time]
