@@ -3,6 +3,7 @@
 /// that covers its needs, so it pays for nothing that it does not use. All kernels give the same events, bit for bit.
 #pragma once
 
+#include <carom/method.hpp>
 #include <carom/scene.hpp>
 
 #include <span>
@@ -38,5 +39,8 @@ std::span<const Kernel> kernels();
 /// The kernel called `forced`, or the first that covers the scene if `forced` is empty.
 /// \throws InputError if there is no kernel of that name or it lacks what the scene needs
 const Kernel& choose_kernel(const Scene& scene, std::string_view forced = {});
+
+/// What `BroadPhase::automatic` takes: all pairs for few spheres, a cell grid for many. \param spheres their number
+BroadPhase automatic_broad_phase(std::size_t spheres);
 
 }  // namespace carom

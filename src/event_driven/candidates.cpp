@@ -6,8 +6,6 @@ namespace carom {
 
 namespace {
 
-constexpr std::size_t few = 32;  ///< up to here all pairs cost less than a grid (tests/bench)
-
 /// Two centres further apart than this cannot matter to each other before one of them crosses a cell wall. A swept ball
 /// is larger than its sphere, off its centre, and ends off its cell by at most `series_below` radii each; the last per
 /// cent covers all rounding.
@@ -22,8 +20,8 @@ double reach(const State& state)
 Candidates choose_candidates(const State& state, BroadPhase wanted)
 {
     const std::size_t n = state.flights.size();
-    if (n < 2 || wanted == BroadPhase::all_pairs || (wanted == BroadPhase::automatic && n <= few))
-        return AllPairs(static_cast<BodyId>(n));
+    if (wanted == BroadPhase::automatic) wanted = automatic_broad_phase(n);
+    if (n < 2 || wanted == BroadPhase::all_pairs) return AllPairs(static_cast<BodyId>(n));
     std::vector<Place> places;
     places.reserve(n);
     for (const auto& f : state.flights) places.push_back(f.place);

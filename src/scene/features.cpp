@@ -23,6 +23,12 @@ std::string missing(const Features& kernel, const Features& needed)
 
 }  // namespace
 
+BroadPhase automatic_broad_phase(std::size_t spheres)
+{
+    constexpr std::size_t few = 32;  // up to here all pairs cost less than a grid (tests/bench)
+    return spheres <= few ? BroadPhase::all_pairs : BroadPhase::cell_grid;
+}
+
 Features needs(const Scene& scene)
 {
     return {.gravity = !scene.gravity.isZero(0), .pairs = scene.spheres.size() > 1};
