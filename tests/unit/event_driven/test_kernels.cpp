@@ -1,6 +1,6 @@
 /// \file
 /// Kernels leave things out, never change anything: the same events, bit for bit.
-#include "support/random.hpp"
+#include "core/random.hpp"
 
 #include <carom/error.hpp>
 #include <carom/features.hpp>
