@@ -20,7 +20,7 @@ using GivenOptions = std::map<std::string, std::string>;
 
 struct RunArguments {
     std::string scene;
-    GivenOptions given;  ///< method, dt, substeps, passes, order, literal, until, max_events, max_seconds
+    GivenOptions given;  ///< method, dt, substeps, passes, order, literal, until, max_events, max_seconds, kernel
     bool always_final = false, allow_overlap = false;
     std::vector<std::string> set;  ///< "/pointer=value"
     std::string out;               ///< folder for run.json; may be empty
@@ -41,6 +41,13 @@ struct CheckArguments {
     std::vector<std::string> set;  ///< "/pointer=value", of every scene
 };
 
+struct ExplainArguments {
+    std::string scene;
+    std::string kernel;  ///< forced; may be empty
+    bool allow_overlap = false;
+    std::vector<std::string> set;  ///< "/pointer=value"
+};
+
 struct ReportArguments {
     std::vector<std::string> folders;
     std::string out;  ///< HTML file; empty: FOLDER/report.html for one folder, out/report.html for several
@@ -54,7 +61,7 @@ struct ScenesArguments {
     std::vector<std::string> validate;  ///< scenes to validate; empty: the catalogue
 };
 
-enum class Command { run, compare, check, report, scenes };
+enum class Command { run, compare, check, explain, report, scenes };
 
 struct Arguments {
     GlobalArguments global;
@@ -62,6 +69,7 @@ struct Arguments {
     RunArguments run;
     CompareArguments compare;
     CheckArguments check;
+    ExplainArguments explain;
     ReportArguments report;
     ScenesArguments scenes;
 };

@@ -8,11 +8,10 @@ namespace carom::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> later_commands{"tunnel", "stress", "verify", "explain",
-                                                         "view",   "export", "query"};
+constexpr std::array<std::string_view, 6> later_commands{"tunnel", "stress", "verify", "view", "export", "query"};
 constexpr std::string_view query_service = "toi";
-constexpr std::array<std::string_view, 6> later_options{"--certified", "--impact",     "--guard",
-                                                        "--kernel",    "--save-state", "--equilibrate"};
+constexpr std::array<std::string_view, 5> later_options{"--certified", "--impact", "--guard", "--save-state",
+                                                        "--equilibrate"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word)

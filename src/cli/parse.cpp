@@ -1,6 +1,8 @@
 #include "cli/arguments.hpp"
 #include "cli/exit_codes.hpp"
 
+#include <carom/method.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -46,11 +48,12 @@ void define_run(CLI::App& app, RunArguments& run)
     app.add_option("scene", run.scene, "Scene file, or a name of the catalogue (carom scenes)")
         ->required()
         ->type_name("SCENE");
-    add_given(app, run.given, "--method", "METHOD", "event, pbd, velocity, bisection or naive [event]");
+    add_given(app, run.given, "--method", "METHOD", CLI::detail::join(method_names(), ", ") + " [event]");
     add_given(app, run.given, "--dt", "H", "Step of a discrete method; 1/240 is a number [1/240]");
     add_given(app, run.given, "--substeps", "N", "Substeps of a step [1]");
     add_given(app, run.given, "--passes", "N", "Passes over the contacts in a substep [1]");
     add_step_options(app, run.given);
+    add_given(app, run.given, "--kernel", "K", "Force a kernel of the event method (carom explain lists them)");
     add_given(app, run.given, "--until", "T", "End of the run, counted from its start [the scene's end_time]");
     add_given(app, run.given, "--max-events", "N", "Stop after so many events, or steps of a discrete method [1e9]");
     add_given(app, run.given, "--max-seconds", "S", "Stop after so many seconds on the clock");
@@ -103,6 +106,18 @@ void define_check(CLI::App& app, CheckArguments& check)
         "  carom check bouncing_ball --set /materials/rubber/restitution=0.5\n"
         "Exit: 0 all hold, 4 one fails, 1 none fails but a run ended unresolved before its end, 5 at a limit, 3 bad "
         "scene.");
+}
+
+void define_explain(CLI::App& app, ExplainArguments& explain)
+{
+    app.add_option("scene", explain.scene, "Scene file, or a name of the catalogue")->required()->type_name("SCENE");
+    app.add_option("--kernel", explain.kernel, "Explain what forcing this kernel does")->type_name("K");
+    add_scene_options(app, explain.allow_overlap, explain.set);
+    app.footer(
+        "Says what a scene needs of the engine, which kernel and broad phase run it, what its reference is, and why.\n"
+        "Examples:\n"
+        "  carom explain bouncing_ball\n"
+        "  carom explain gas_1000 --json");
 }
 
 void define_report(CLI::App& app, ReportArguments& report)
@@ -178,6 +193,8 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     define_compare(*compare, arguments.compare);
     CLI::App* check = app.add_subcommand("check", "Run scenes and evaluate their checks");
     define_check(*check, arguments.check);
+    CLI::App* explain = app.add_subcommand("explain", "What a scene needs, and which kernel runs it");
+    define_explain(*explain, arguments.explain);
     CLI::App* report = app.add_subcommand("report", "One self-contained page of one or more comparisons");
     define_report(*report, arguments.report);
     CLI::App* scenes = app.add_subcommand("scenes", "The catalogue of scenes");
@@ -186,7 +203,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     const auto global_help = [](CLI::App* command) {
         command->footer(command->get_footer() + "\nEverywhere: --json, -q, -v, --no-progress, --seed N (see carom -h)");
     };
-    for (CLI::App* command : {run, compare, check, report, scenes}) global_help(command);
+    for (CLI::App* command : {run, compare, check, explain, report, scenes}) global_help(command);
 
     try {
         app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them last first
@@ -199,12 +216,14 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
         const bool unknown =
             result.exit_code != exit_ok && !args.empty() && !args[0].starts_with("-") && app.get_subcommands().empty();
         if (unknown)
-            result.err = "carom: unknown command \"" + args[0] + "\" (take run, compare, check, report or scenes)\n";
+            result.err =
+                "carom: unknown command \"" + args[0] + "\" (take run, compare, check, explain, report or scenes)\n";
         return result;
     }
     arguments.command = run->parsed()       ? Command::run
                         : compare->parsed() ? Command::compare
                         : check->parsed()   ? Command::check
+                        : explain->parsed() ? Command::explain
                         : report->parsed()  ? Command::report
                                             : Command::scenes;
     result.arguments = std::move(arguments);

@@ -17,8 +17,8 @@ const std::vector<CommandOptions>& command_options()
 {
     static const std::vector<CommandOptions> options{
         {"run",
-         {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds", "final"},
-         {"equilibrate", "certified", "impact", "guard", "kernel"}},
+         {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds", "final", "kernel"},
+         {"equilibrate", "certified", "impact", "guard"}},
         {"compare", {"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance"}, {}},
         {"tunnel", {"speed", "thickness", "radius", "dt", "methods", "trials", "bisect"}, {}},
         {"view", {"out"}, {}},

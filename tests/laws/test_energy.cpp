@@ -9,8 +9,8 @@ using namespace carom::test;
 TEST_CASE("law: elastic impacts keep the energy, kinetic and potential together")
 {
     for (const Claims& claims : methods()) {
-        if (!claims.exact) continue;
         for (const Vec3& gravity : {Vec3(0, 0, 0), earth}) {
+            if (!claims.energy || (!claims.exact && !gravity.isZero(0))) continue;
             const Scene scene = gas(1, 60, 5, gravity);
             const Outcome outcome = simulate(scene, claims.method);
             INFO(claims.label << ", gravity " << gravity.norm());
@@ -23,7 +23,6 @@ TEST_CASE("law: elastic impacts keep the energy, kinetic and potential together"
 TEST_CASE("law: inelastic impacts never gain energy, and lose some")
 {
     for (const Claims& claims : methods()) {
-        if (!claims.exact) continue;
         Scene scene = gas(2, 60, 2, Vec3::Zero(), 0.9);
         double last = kinetic_energy(scene, initial_states(scene));
         const double first = last;

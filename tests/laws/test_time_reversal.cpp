@@ -7,10 +7,9 @@
 using namespace carom;
 using namespace carom::test;
 
-TEST_CASE("law: an elastic run, reversed, comes back to its start")
+TEST_CASE("law: an elastic run, reversed, comes back to its start; steps under gravity do not")
 {
     for (const Claims& claims : methods()) {
-        if (!claims.exact) continue;
         for (const Vec3& gravity : {Vec3(0, 0, 0), earth}) {
             const Scene scene = gas(1, 100, 1, gravity);
             REQUIRE(scene.spheres.size() == 100);
@@ -23,13 +22,16 @@ TEST_CASE("law: an elastic run, reversed, comes back to its start")
             const Outcome back = simulate(mirrored, claims.method);
             INFO(claims.label << ", gravity " << gravity.norm() << ", impacts " << there.counts.impacts);
             CHECK(there.counts.impacts > 50);
-            CHECK(back.counts.impacts == there.counts.impacts);
+            if (claims.exact) CHECK(back.counts.impacts == there.counts.impacts);
             double worst = 0;
             for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
                 worst = std::max(worst, (back.final[i].position - scene.spheres[i].position).norm());
                 worst = std::max(worst, (back.final[i].velocity + scene.spheres[i].velocity).norm());
             }
-            CHECK(worst <= 1e-9);
+            if (claims.exact)
+                CHECK(worst <= 1e-9);
+            else if (!gravity.isZero(0))
+                CHECK(worst > 1e-6);
         }
     }
 }
