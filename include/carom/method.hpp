@@ -18,7 +18,7 @@ enum class BroadPhase : std::uint8_t { automatic, all_pairs, cell_grid };
 struct EventDriven {
     static constexpr std::string_view method_name = "event";
     BroadPhase broad_phase = BroadPhase::automatic;
-    std::string kernel;  ///< name of a kernel (`kernels`); empty: the cheapest that covers the scene
+    std::string kernel{};  ///< name of a kernel (`kernels`); empty: the cheapest that covers the scene
 };
 
 /// In which order a discrete method visits the contacts of one pass.
