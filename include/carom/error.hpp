@@ -13,6 +13,7 @@ class InputError : public std::runtime_error {
 public:
     /// \param problems one line each: "FILE: JSON-POINTER: what is wrong (the cure)"; not empty.
     explicit InputError(std::vector<std::string> problems);
+    /// One line each; what() is all of them.
     const std::vector<std::string>& problems() const { return problems_; }
 
 private:

@@ -14,6 +14,7 @@ enum class EventKind : std::uint8_t {
     guard = 4     ///< a jammed component was handed to a discrete method for one window
 };
 
+/// The word that results and files use for a kind.
 const char* name(EventKind kind);
 
 struct Event {
@@ -23,8 +24,8 @@ struct Event {
     BodyId a = no_body;          ///< the sphere; of two spheres the smaller id
     BodyId b = no_body;          ///< the other sphere, or Scene::plane_body(p)
     Vec3 normal = Vec3::Zero();  ///< unit, from b to a
-    Vec3 impulse =
-        Vec3::Zero();  ///< on a; -impulse acts on b [mass length/time]. A rest carries the summed impulse of its series
+    /// On a; -impulse acts on b [mass length/time]. A rest carries the summed impulse of its series.
+    Vec3 impulse = Vec3::Zero();
 };
 
 }  // namespace carom

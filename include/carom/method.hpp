@@ -16,7 +16,9 @@ enum class BroadPhase : std::uint8_t { automatic, all_pairs, cell_grid };
 
 /// Exact in time: the next contact is a root, not a step.
 struct EventDriven {
+    static constexpr std::string_view method_name = "event";
     BroadPhase broad_phase = BroadPhase::automatic;
+    std::string kernel;  ///< name of a kernel (`kernels`); empty: the cheapest that covers the scene
 };
 
 /// In which order a discrete method visits the contacts of one pass.
@@ -25,7 +27,7 @@ enum class ContactOrder : std::uint8_t { index, reverse, random, deepest };
 /// What all discrete methods take. Semi-implicit Euler: v += h g, then p += h v, with h = dt / substeps.
 struct StepOptions {
     double dt = 1.0 / 240;  ///< > 0 [time]; the last step is shortened to end the run on time
-    int substeps = 1;       ///< >= 1, steps of dt/substeps each
+    int substeps = 1;       ///< >= 1, steps of dt / substeps each
     int passes = 1;         ///< >= 1, how often the contact phases are repeated in a substep
     ContactOrder order = ContactOrder::index;
     bool literal = false;    ///< pbd only: the handout's unconditional response (also when separating), once a substep
@@ -34,25 +36,34 @@ struct StepOptions {
 
 /// Position based: move, then respond and project overlaps (handout; Mueller et al. 2007 for the name).
 struct PositionBased : StepOptions {
+    static constexpr std::string_view method_name = "pbd";
     bool mass_weighted = false;  ///< share a projection by inverse mass instead of half and half
 };
 /// Velocity based: respond on gaps at the start of the step, cancel velocities that would deepen an overlap, then move.
-struct VelocityBased : StepOptions {};
+struct VelocityBased : StepOptions {
+    static constexpr std::string_view method_name = "velocity";
+};
 /// Step, and when an overlap appears go back to the first contact by bisection, respond there, go on (handout).
-struct Bisection : StepOptions {};
+struct Bisection : StepOptions {
+    static constexpr std::string_view method_name = "bisection";
+};
 /// Response on velocity alone, no approach test, no correction: sinks and sticks. The handout's warning, a positive
 /// control.
-struct Naive : StepOptions {};
+struct Naive : StepOptions {
+    static constexpr std::string_view method_name = "naive";
+};
 
+/// Each alternative says what users call it, `method_name`; names, help texts and messages follow from this list.
 using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive>;
 
-/// "event", "pbd", "velocity", "bisection", "naive".
+/// What users call it: "event", "pbd", "velocity", "bisection", "naive".
 std::string_view name(const Method& method);
 /// All method names, in the order of the variant.
 const std::vector<std::string>& method_names();
-/// The method called `name`; discrete ones with these options. \throws InputError naming the known methods.
+/// The method called `name`; discrete ones with these options, which are taken as they are: a run with options out of
+/// range ends at once with Status::unresolved. \throws InputError naming the known methods.
 Method make_method(std::string_view name, const StepOptions& options = {});
-/// Step options of a discrete method, nullptr for the event-driven one.
+/// Step options of a discrete method, nullptr for the event-driven one. Valid as long as `method`.
 const StepOptions* step_options(const Method& method);
 /// "index", "reverse", "random", "deepest". \throws InputError
 ContactOrder contact_order(std::string_view name);

@@ -1,5 +1,9 @@
 /// \file
 /// Figures of a state: what is conserved, what overlaps, who is outside, how far two states are apart.
+///
+/// \pre everywhere: the scene is valid, `states` are one for each of its spheres, in body order; of two lists both are
+/// of one length. Sums are compensated. A state that is not finite makes a figure that is not, unless said otherwise.
+/// Link `carom::study`.
 #pragma once
 
 #include <carom/scene.hpp>
@@ -34,7 +38,7 @@ double max_penetration(const Scene& scene, std::span<const BodyState> states);
 /// Spheres whose centre is outside a half-space (plates have no outside), or whose state is not finite.
 std::int64_t escaped(const Scene& scene, std::span<const BodyState> states);
 
-/// Distance of two lists of vectors, body by body.
+/// Distance of two lists of vectors, body by body; 0 for empty lists.
 struct Deviation {
     double rms = 0;  ///< root of the mean over bodies of the squared distance
     double max = 0;  ///< largest distance

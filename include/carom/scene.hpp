@@ -1,5 +1,8 @@
 /// \file
-/// A scene as plain data: what the files in `scenes/` say, with every fill and box expanded. Nothing here computes.
+/// A scene as plain data: what the files in `scenes/` say, with every fill and box expanded.
+///
+/// Ranges are noted with the fields and checked by `validate`; whoever takes a scene expects a valid one. Functions
+/// here throw nothing.
 #pragma once
 
 #include <carom/types.hpp>
@@ -65,11 +68,11 @@ enum class RestPolicy : std::uint8_t { contact };
 /// When and how spheres come to rest. Unset values take the defaults of `rest_thresholds`.
 struct RestOptions {
     RestPolicy policy = RestPolicy::contact;
-    std::optional<double> closing_speed;  ///< v_c [length/time]
-    std::optional<double> window;         ///< tau_p [time]
-    std::optional<double> numeric_step;   ///< h [time]
-    std::optional<double> gap_tolerance;  ///< g_tol [length]
-    double series_below = 1e-3;           ///< bounces lower than this fraction of the radius are summed in closed form
+    std::optional<double> closing_speed;  ///< v_c >= 0 [length/time]
+    std::optional<double> window;         ///< tau_p >= 0 [time]
+    std::optional<double> numeric_step;   ///< h > 0 [time]
+    std::optional<double> gap_tolerance;  ///< g_tol >= 0 [length]
+    double series_below = 1e-3;  ///< >= 0; bounces lower than this fraction of the radius are summed in closed form
 };
 
 /// One line of a scene's `checks`: what a correct event run of the scene must show.
@@ -98,10 +101,11 @@ struct Scene {
     Units units;
     Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
     Vec3 origin = Vec3::Zero();   ///< where the scene lies; positions and planes are relative to it [length]
-    /// What the clock showed when the run began: a label, no time of a run counts from it. `epoch` counts epochs of the run.
+    /// What the clock showed when the run began: a label, no time of a run counts from it. `epoch` counts epochs of the
+    /// run.
     EpochTime start_time;
-    double end_time = 0;          ///< > 0, length of the run [time]
-    std::uint64_t seed = 1;       ///< every random choice comes from it
+    double end_time = 0;     ///< > 0, length of the run [time]
+    std::uint64_t seed = 1;  ///< every random choice comes from it
     std::vector<Material> materials{Material{"default", 1, 1, ""}};
     std::vector<ContactRule> contacts;
     RestOptions rest;
@@ -110,9 +114,9 @@ struct Scene {
     std::vector<Check> checks;
     CommandDefaults run, compare, tunnel, view;
 
-    /// Id under which events name plane p.
+    /// Id under which events name plane p. \pre p < planes.size()
     BodyId plane_body(std::size_t p) const { return static_cast<BodyId>(spheres.size() + p); }
-    /// Id string of a sphere or plane as events number them.
+    /// Id string of a sphere or plane as events number them. \pre 0 <= body < number of spheres and planes
     const std::string& body_name(BodyId body) const
     {
         const auto n = static_cast<BodyId>(spheres.size());
@@ -120,10 +124,16 @@ struct Scene {
     }
 };
 
+/// Every broken rule as "/json/pointer: what is wrong (the cure)"; empty when the scene is valid. Values first (finite,
+/// in range, ids unique, materials known); if those hold, overlaps: a gap below -1e-9 r, r the smaller
+/// radius, unless `allow_overlap`. Scenes that a reader gave are valid; ask for those built in code.
+std::vector<std::string> validate(const Scene& scene, bool allow_overlap = false);
+
 /// Coefficients for contacts between two spheres of these materials: smaller restitution; tangential and attenuation 1
-/// unless a ContactRule gives them.
+/// unless a ContactRule gives them. \pre both are indices into Scene::materials; so below.
 ContactLaw sphere_contact_law(const Scene& scene, int material_a, int material_b);
-/// Coefficients for a sphere on a plane: smaller restitution, smaller tangential; attenuation 1.
+/// Coefficients for a sphere on a plane: smaller restitution, smaller tangential unless a ContactRule gives them;
+/// attenuation 1.
 ContactLaw plane_contact_law(const Scene& scene, int sphere_material, int plane_material);
 
 /// RestOptions with every default filled in (source: this project; documented with the run).
@@ -135,7 +145,8 @@ struct RestThresholds {
 };
 RestThresholds rest_thresholds(const Scene& scene);
 
-/// Signed distance from the surface of sphere `s`, centred at `position`, to the surface of plane `p` [length].
+/// Signed distance from the surface of sphere `s`, centred at `position`, to the surface of plane `p`, negative where
+/// they overlap; in plain double arithmetic [length].
 double plane_gap(const Plane& p, const Sphere& s, const Vec3& position);
 
 }  // namespace carom

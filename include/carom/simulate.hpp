@@ -25,6 +25,7 @@ enum class Status : std::uint8_t {
     unresolved,   ///< something that carom cannot resolve yet; Outcome::message says what, where, when
     interrupted   ///< the observer said stop
 };
+/// The word that results and files use for a status.
 const char* name(Status status);
 
 /// State of one sphere at a moment.
@@ -35,12 +36,14 @@ struct BodyState {
 };
 
 struct RunOptions {
-    double until = std::numeric_limits<double>::quiet_NaN();  ///< end, since the start [time]; NaN: Scene::end_time
-    std::int64_t max_events = 1'000'000'000;                  ///< impacts, rests, releases (steps for discrete methods)
-    double max_seconds = std::numeric_limits<double>::infinity();  ///< wall clock [s]
+    /// End, >= 0 and finite, since the start [time]; NaN: Scene::end_time.
+    double until = std::numeric_limits<double>::quiet_NaN();
+    std::int64_t max_events = 1'000'000'000;  ///< >= 1; impacts, rests, releases (substeps for discrete methods)
+    double max_seconds = std::numeric_limits<double>::infinity();  ///< > 0; wall clock, looked at now and then [s]
 };
 
 /// Who looks at a run. An empty function costs nothing. Looking never changes a run: flights change at contacts only.
+/// Functions are called in the order of time, on the thread of the run; what they throw ends the run and passes on.
 struct Observer {
     std::vector<double> sample_times;  ///< ascending, in [0, until], since the start [time]
     std::function<void(const Event&)> on_event;
@@ -76,12 +79,13 @@ struct Outcome {
     double epoch_length = 1;       ///< power of two [time]
 };
 
-/// Run a scene. \pre the scene is valid (`validate`). \post Outcome::final has a state for each sphere, all numbers
-/// finite unless status says otherwise.
+/// Run a scene. \pre the scene is valid (`validate`), options in range. \post Outcome::final has a state for each
+/// sphere, all numbers finite unless status says otherwise. Runs share nothing: several may go on at once, on threads
+/// of their own. The same arguments give the same outcome, bit for bit, unless a limit of time stopped it.
 Outcome simulate(const Scene& scene, const Method& method, const RunOptions& options = {},
                  const Observer& observer = {});
 
-/// n + 1 equally spaced times from 0 to until.
+/// n + 1 equally spaced times from 0 to `until`, which is the last to the bit; for n = 0 that one alone [time].
 std::vector<double> sample_grid(double until, std::size_t n);
 
 }  // namespace carom

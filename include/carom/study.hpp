@@ -1,5 +1,5 @@
 /// \file
-/// Studies: one run with its figures, and the comparison of methods by error against run time.
+/// Studies: one run with its figures, and the comparison of methods by error against run time. Link `carom::study`.
 #pragma once
 
 #include <carom/metrics.hpp>
@@ -30,7 +30,9 @@ struct RunStudy {
     Outcome outcome;
     double initial_energy = 0, final_energy = 0;  ///< [mass length^2/time^2]
     std::optional<double>
-        max_relative_drift;  ///< max |E-E0| / max kinetic energy over samples; none where energy is not kept
+        max_relative_drift;         ///< max |E-E0| / max kinetic energy over samples; none where energy is not kept
+    double max_energy_change = 0;   ///< max |E-E0| over samples [mass length^2/time^2]
+    double max_kinetic_energy = 0;  ///< over samples [mass length^2/time^2]
     Vec3 initial_momentum = Vec3::Zero(), final_momentum = Vec3::Zero();  ///< [mass length/time]
     double max_penetration = 0;  ///< event: at impacts and samples; discrete: before correction [length]
     std::int64_t escaped = 0;    ///< at the end
@@ -40,6 +42,7 @@ struct RunStudy {
     double wall_seconds = 0;  ///< likewise [s]
 };
 
+/// \pre as `simulate`; intervals >= 1. Nothing is thrown but what the functions of the options throw.
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options = {});
 
 /// Where a comparison has come to.
@@ -50,8 +53,8 @@ struct CompareProgress {
 
 struct CompareOptions {
     std::vector<std::string> methods;         ///< as `make_method`; duplicates are run twice
-    std::vector<double> dt;                   ///< for discrete methods [time]
-    std::vector<int> substeps{1}, passes{1};  ///< every combination is run
+    std::vector<double> dt;                   ///< > 0, for discrete methods [time]
+    std::vector<int> substeps{1}, passes{1};  ///< >= 1; every combination is run
     StepOptions step;                         ///< order, literal, seed for all
     double until = 0;                         ///< > 0 [time]
     int repeats = 3;                          ///< unrecorded runs for the time, >= 1
@@ -139,7 +142,7 @@ double default_tolerance(const Scene& scene);
 /// \pre the scene is valid, options in range. \throws InputError for unknown method names.
 Comparison compare_methods(const Scene& scene, const CompareOptions& options);
 
-/// What the rows say, in plain English, for a tolerance of `comparison.tolerance`.
+/// What the rows say, in plain English, for a tolerance of `comparison.tolerance`; the first sentence is the headline.
 std::vector<std::string> verdict(const Scene& scene, const Comparison& comparison);
 
 }  // namespace carom

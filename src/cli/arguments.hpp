@@ -20,17 +20,32 @@ using GivenOptions = std::map<std::string, std::string>;
 
 struct RunArguments {
     std::string scene;
-    GivenOptions given;  ///< method, dt, substeps, passes, order, literal, until, max_events, max_seconds
+    GivenOptions given;  ///< method, dt, substeps, passes, order, literal, until, max_events, max_seconds, kernel
     bool always_final = false, allow_overlap = false;
-    std::string out;     ///< folder for run.json; may be empty
-    std::string events;  ///< CSV file; may be empty
+    std::vector<std::string> set;  ///< "/pointer=value"
+    std::string out;               ///< folder for run.json; may be empty
+    std::string events;            ///< CSV file; may be empty
 };
 
 struct CompareArguments {
     std::string scene;
     GivenOptions given;  ///< methods, dt, substeps, passes, order, literal, until, repeats, tolerance
     bool allow_overlap = false;
-    std::string out;  ///< folder; empty: out/compare-NAME
+    std::vector<std::string> set;  ///< "/pointer=value"
+    std::string out;               ///< folder; empty: out/compare-NAME
+};
+
+struct CheckArguments {
+    std::vector<std::string> scenes;
+    bool allow_overlap = false;
+    std::vector<std::string> set;  ///< "/pointer=value", of every scene
+};
+
+struct ExplainArguments {
+    std::string scene;
+    std::string kernel;  ///< forced; may be empty
+    bool allow_overlap = false;
+    std::vector<std::string> set;  ///< "/pointer=value"
 };
 
 struct ReportArguments {
@@ -38,17 +53,23 @@ struct ReportArguments {
     std::string out;  ///< HTML file; empty: FOLDER/report.html for one folder, out/report.html for several
 };
 
+enum class ScenesAction { list, show, validate, schema };
+
 struct ScenesArguments {
-    std::string show;  ///< scene to show; empty: list all
+    ScenesAction action = ScenesAction::list;
+    std::string show;                   ///< scene to show
+    std::vector<std::string> validate;  ///< scenes to validate; empty: the catalogue
 };
 
-enum class Command { run, compare, report, scenes };
+enum class Command { run, compare, check, explain, report, scenes };
 
 struct Arguments {
     GlobalArguments global;
     Command command = Command::run;
     RunArguments run;
     CompareArguments compare;
+    CheckArguments check;
+    ExplainArguments explain;
     ReportArguments report;
     ScenesArguments scenes;
 };

@@ -4,6 +4,7 @@
 #include "cli/lists.hpp"
 
 #include <carom/error.hpp>
+#include <carom/features.hpp>
 
 #include <fmt/format.h>
 
@@ -109,6 +110,11 @@ std::vector<std::string> Choices::methods(const std::string& name, std::vector<s
     });
 }
 
+std::string Choices::text(const std::string& name) const
+{
+    return read(name, std::string(), [](const std::string& word) { return word; });
+}
+
 ContactOrder Choices::order() const
 {
     return read("order", ContactOrder::index, [](const std::string& text) {
@@ -147,8 +153,8 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
                          const std::string& file)
 {
     const Choices choices(args.given, scene.run, file + ": /run");
-    choices.expect_known(
-        {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds"});
+    choices.expect_known({"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events",
+                          "max_seconds", "final", "kernel"});
     StepOptions step;
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();
@@ -156,7 +162,12 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
     step.order = choices.order();
     step.literal = choices.flag("literal");
     step.seed = global.seed.value_or(scene.seed);
-    RunSettings settings{make_method(choices.methods("method", {"event"}).front(), step), {}};
+    RunSettings settings{make_method(choices.methods("method", {"event"}).front(), step), {}, false};
+    if (auto* event = std::get_if<EventDriven>(&settings.method)) {
+        event->kernel = choices.text("kernel");
+        choose_kernel(scene, event->kernel);  // a wrong name is the user's mistake: say so before anything runs
+    }
+    settings.always_final = args.always_final || choices.flag("final");
     settings.run.until = choices.number("until", scene.end_time);
     settings.run.max_events = choices.integer("max_events", settings.run.max_events);
     settings.run.max_seconds = choices.number("max_seconds", settings.run.max_seconds);

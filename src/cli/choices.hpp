@@ -27,6 +27,7 @@ public:
     std::vector<std::string> methods(const std::string& name,
                                      std::vector<std::string> otherwise) const;  ///< known ones
     ContactOrder order() const;
+    std::string text(const std::string& name) const;  ///< as given, empty if it is not
     bool flag(const std::string& name) const;
     bool has(const std::string& name) const;
 
@@ -45,6 +46,7 @@ private:
 struct RunSettings {
     Method method;
     RunOptions run;
+    bool always_final = false;  ///< final states of many spheres, too
 };
 RunSettings run_settings(const RunArguments& args, const GlobalArguments& global, const Scene& scene,
                          const std::string& file);

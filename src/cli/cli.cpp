@@ -26,6 +26,10 @@ int dispatch(const Arguments& arguments, const Console& console)
             return do_run(arguments.run, arguments.global, console);
         case Command::compare:
             return do_compare(arguments.compare, arguments.global, console);
+        case Command::check:
+            return do_check(arguments.check, arguments.global, console);
+        case Command::explain:
+            return do_explain(arguments.explain, arguments.global, console);
         case Command::report:
             return do_report(arguments.report, arguments.global, console);
         case Command::scenes:
@@ -48,11 +52,13 @@ std::filesystem::path scene_folder()
     return folder != nullptr && *folder != '\0' ? folder : CAROM_SCENE_DIR;
 }
 
-Scene read_with_options(const std::filesystem::path& file, bool allow_overlap, const GlobalArguments& global)
+Scene read_with_options(const std::filesystem::path& file, bool allow_overlap, const std::vector<std::string>& set,
+                        const GlobalArguments& global)
 {
     ReadOptions options;
     options.allow_overlap = allow_overlap;
     options.seed = global.seed;
+    options.set = set;
     return read_scene(file, options);
 }
 

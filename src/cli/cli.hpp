@@ -15,14 +15,17 @@ namespace carom::cli {
 // One file a command. Each returns an exit code and throws InputError or UsageError.
 int do_run(const RunArguments& args, const GlobalArguments& global, const Console& console);
 int do_compare(const CompareArguments& args, const GlobalArguments& global, const Console& console);
+int do_check(const CheckArguments& args, const GlobalArguments& global, const Console& console);
+int do_explain(const ExplainArguments& args, const GlobalArguments& global, const Console& console);
 int do_report(const ReportArguments& args, const GlobalArguments& global, const Console& console);
 int do_scenes(const ScenesArguments& args, const GlobalArguments& global, const Console& console);
 
 /// Folder of the catalogue: the environment's CAROM_SCENES, else that of the build.
 std::filesystem::path scene_folder();
 
-/// The scene in `file` with the seed of the command line, if it gives one. \throws InputError
-Scene read_with_options(const std::filesystem::path& file, bool allow_overlap, const GlobalArguments& global);
+/// The scene in `file` with the seed and the changes of the command line. \throws InputError
+Scene read_with_options(const std::filesystem::path& file, bool allow_overlap, const std::vector<std::string>& set,
+                        const GlobalArguments& global);
 
 /// Everything but the process: errors become messages on `console.err` and exit codes.
 /// \param args without the program's name

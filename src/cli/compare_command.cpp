@@ -17,7 +17,7 @@ namespace carom::cli {
 int do_compare(const CompareArguments& args, const GlobalArguments& global, const Console& console)
 {
     const std::filesystem::path file = find_scene(args.scene, scene_folder());
-    const Scene scene = read_with_options(file, args.allow_overlap, global);
+    const Scene scene = read_with_options(file, args.allow_overlap, args.set, global);
     CompareOptions options = compare_settings(args, global, scene, file.string());
     const std::filesystem::path folder = args.out.empty()
                                              ? std::filesystem::path("out") / ("compare-" + file.stem().string())

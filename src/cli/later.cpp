@@ -8,12 +8,10 @@ namespace carom::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> later_commands{"tunnel",  "stress", "verify", "check",
-                                                         "explain", "view",   "export", "query"};
+constexpr std::array<std::string_view, 6> later_commands{"tunnel", "stress", "verify", "view", "export", "query"};
 constexpr std::string_view query_service = "toi";
-constexpr std::array<std::string_view, 7> later_options{"--certified",  "--impact", "--guard",      "--kernel",
-                                                        "--save-state", "--set",    "--equilibrate"};
-constexpr std::array<std::string_view, 2> later_scene_commands{"validate", "schema"};
+constexpr std::array<std::string_view, 5> later_options{"--certified", "--impact", "--guard", "--save-state",
+                                                        "--equilibrate"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word)
@@ -42,8 +40,6 @@ std::optional<std::string> later_feature(const std::vector<std::string>& args)
     }
     if (words.empty()) return std::nullopt;
     if (contains(later_commands, words[0]) || words[0] == query_service) return refusal(words[0]);
-    if (words[0] == "scenes" && words.size() > 1 && contains(later_scene_commands, words[1]))
-        return refusal("scenes " + std::string(words[1]));
     return std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 #include "cli/arguments.hpp"
 #include "cli/exit_codes.hpp"
 
+#include <carom/method.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -33,28 +35,38 @@ void add_step_options(CLI::App& app, GivenOptions& given)
         "pbd only: respond to separating contacts too, as the original text says");
 }
 
+void add_scene_options(CLI::App& app, bool& allow_overlap, std::vector<std::string>& set)
+{
+    app.add_flag("--allow-overlap", allow_overlap, "Let bodies overlap at the start");
+    app.add_option("--set", set, "Change the scene before it is read: a JSON value or a bare string; repeatable")
+        ->type_name("/POINTER=VALUE")
+        ->allow_extra_args(false);
+}
+
 void define_run(CLI::App& app, RunArguments& run)
 {
     app.add_option("scene", run.scene, "Scene file, or a name of the catalogue (carom scenes)")
         ->required()
         ->type_name("SCENE");
-    add_given(app, run.given, "--method", "METHOD", "event, pbd, velocity, bisection or naive [event]");
+    add_given(app, run.given, "--method", "METHOD", CLI::detail::join(method_names(), ", ") + " [event]");
     add_given(app, run.given, "--dt", "H", "Step of a discrete method; 1/240 is a number [1/240]");
     add_given(app, run.given, "--substeps", "N", "Substeps of a step [1]");
     add_given(app, run.given, "--passes", "N", "Passes over the contacts in a substep [1]");
     add_step_options(app, run.given);
+    add_given(app, run.given, "--kernel", "K", "Force a kernel of the event method (carom explain lists them)");
     add_given(app, run.given, "--until", "T", "End of the run, counted from its start [the scene's end_time]");
     add_given(app, run.given, "--max-events", "N", "Stop after so many events, or steps of a discrete method [1e9]");
     add_given(app, run.given, "--max-seconds", "S", "Stop after so many seconds on the clock");
     app.add_option("--events", run.events, "Write the events to this file")->type_name("FILE.csv");
     app.add_flag("--final", run.always_final, "Write final states of more than 1000 spheres too");
-    app.add_flag("--allow-overlap", run.allow_overlap, "Let bodies overlap at the start");
+    add_scene_options(app, run.allow_overlap, run.set);
     app.add_option("-o,--out", run.out, "Write DIR/run.json")->type_name("DIR");
     app.footer(
         "Examples:\n"
         "  carom run bouncing_ball\n"
         "  carom run bouncing_ball --method pbd --dt 1/240 --json\n"
         "  carom run gas_1000 --until 1 --events gas.csv -o out/gas\n"
+        "  carom run bouncing_ball --set /materials/rubber/restitution=0.5 --set /spheres/0/position=[0,0,2.1]\n"
         "Exit: 0 end reached, 1 run failed, 2 usage, 3 bad scene, 5 a limit was reached, 130 interrupted.");
 }
 
@@ -72,7 +84,7 @@ void define_compare(CLI::App& app, CompareArguments& compare)
     add_given(app, compare.given, "--until", "T", "End of the runs, counted from their start [the scene's end_time]");
     add_given(app, compare.given, "--repeats", "K", "Runs for the time, of which the median counts [3]");
     add_given(app, compare.given, "--tolerance", "X", "Position error that the verdict asks for [1 mm or 0.01 radius]");
-    app.add_flag("--allow-overlap", compare.allow_overlap, "Let bodies overlap at the start");
+    add_scene_options(app, compare.allow_overlap, compare.set);
     app.add_option("-o,--out", compare.out, "Folder for compare.csv, compare.json, report.html [out/compare-NAME]")
         ->type_name("DIR");
     app.footer(
@@ -80,6 +92,32 @@ void define_compare(CLI::App& app, CompareArguments& compare)
         "  carom compare bouncing_ball\n"
         "  carom compare bullet --methods event,pbd,bisection --dt 1e-5:1/60:log7 -o out/bullet\n"
         "  carom compare incline --dt 1/60,1/240 --substeps 1,4 --tolerance 1e-4 --json");
+}
+
+void define_check(CLI::App& app, CheckArguments& check)
+{
+    app.add_option("scenes", check.scenes, "Scene files, or names of the catalogue")->required()->type_name("SCENE...");
+    add_scene_options(app, check.allow_overlap, check.set);
+    app.footer(
+        "Runs the event method to the scene's end_time and asks whether what the scene's \"checks\" say holds.\n"
+        "Examples:\n"
+        "  carom check bouncing_ball\n"
+        "  carom check bouncing_ball incline my_scene.json --json\n"
+        "  carom check bouncing_ball --set /materials/rubber/restitution=0.5\n"
+        "Exit: 0 all hold, 4 one fails, 1 none fails but a run ended unresolved before its end, 5 at a limit, 3 bad "
+        "scene.");
+}
+
+void define_explain(CLI::App& app, ExplainArguments& explain)
+{
+    app.add_option("scene", explain.scene, "Scene file, or a name of the catalogue")->required()->type_name("SCENE");
+    app.add_option("--kernel", explain.kernel, "Explain what forcing this kernel does")->type_name("K");
+    add_scene_options(app, explain.allow_overlap, explain.set);
+    app.footer(
+        "Says what a scene needs of the engine, which kernel and broad phase run it, what its reference is, and why.\n"
+        "Examples:\n"
+        "  carom explain bouncing_ball\n"
+        "  carom explain gas_1000 --json");
 }
 
 void define_report(CLI::App& app, ReportArguments& report)
@@ -96,10 +134,20 @@ void define_scenes(CLI::App& app, ScenesArguments& scenes)
 {
     app.require_subcommand(0, 1);
     CLI::App* list = app.add_subcommand("list", "The catalogue, one scene a line");
+    list->callback([&scenes] { scenes.action = ScenesAction::list; });
     list->footer("Examples:\n  carom scenes list\n  carom scenes list --json");
     CLI::App* show = app.add_subcommand("show", "What a scene contains");
+    show->callback([&scenes] { scenes.action = ScenesAction::show; });
     show->add_option("scene", scenes.show, "Scene file, or a name of the catalogue")->required()->type_name("SCENE");
     show->footer("Examples:\n  carom scenes show bouncing_ball\n  carom scenes show bouncing_ball --json");
+    CLI::App* validate = app.add_subcommand("validate", "Read scenes and say what is wrong with them");
+    validate->callback([&scenes] { scenes.action = ScenesAction::validate; });
+    validate->add_option("scenes", scenes.validate, "Scene files, or names of the catalogue [all of it]")
+        ->type_name("SCENE...");
+    validate->footer("Examples:\n  carom scenes validate\n  carom scenes validate my_scene.json --json");
+    CLI::App* schema = app.add_subcommand("schema", "The JSON schema of scene files, for editors");
+    schema->callback([&scenes] { scenes.action = ScenesAction::schema; });
+    schema->footer("Examples:\n  carom scenes schema > scene.schema.json");
     app.footer(
         "Examples:\n  carom scenes\n  carom scenes show bouncing_ball\n"
         "Scenes are looked for in the folder that the environment names in CAROM_SCENES, by default the one of the "
@@ -143,6 +191,10 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     define_run(*run, arguments.run);
     CLI::App* compare = app.add_subcommand("compare", "Error against run time of several methods and steps");
     define_compare(*compare, arguments.compare);
+    CLI::App* check = app.add_subcommand("check", "Run scenes and evaluate their checks");
+    define_check(*check, arguments.check);
+    CLI::App* explain = app.add_subcommand("explain", "What a scene needs, and which kernel runs it");
+    define_explain(*explain, arguments.explain);
     CLI::App* report = app.add_subcommand("report", "One self-contained page of one or more comparisons");
     define_report(*report, arguments.report);
     CLI::App* scenes = app.add_subcommand("scenes", "The catalogue of scenes");
@@ -151,7 +203,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     const auto global_help = [](CLI::App* command) {
         command->footer(command->get_footer() + "\nEverywhere: --json, -q, -v, --no-progress, --seed N (see carom -h)");
     };
-    for (CLI::App* command : {run, compare, report, scenes}) global_help(command);
+    for (CLI::App* command : {run, compare, check, explain, report, scenes}) global_help(command);
 
     try {
         app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them last first
@@ -163,11 +215,15 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
         // CLI11 only says that a command is missing.
         const bool unknown =
             result.exit_code != exit_ok && !args.empty() && !args[0].starts_with("-") && app.get_subcommands().empty();
-        if (unknown) result.err = "carom: unknown command \"" + args[0] + "\" (take run, compare, report or scenes)\n";
+        if (unknown)
+            result.err =
+                "carom: unknown command \"" + args[0] + "\" (take run, compare, check, explain, report or scenes)\n";
         return result;
     }
     arguments.command = run->parsed()       ? Command::run
                         : compare->parsed() ? Command::compare
+                        : check->parsed()   ? Command::check
+                        : explain->parsed() ? Command::explain
                         : report->parsed()  ? Command::report
                                             : Command::scenes;
     result.arguments = std::move(arguments);

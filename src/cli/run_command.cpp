@@ -67,7 +67,7 @@ void explain_settings(const Scene& scene, const std::filesystem::path& file, con
 int do_run(const RunArguments& args, const GlobalArguments& global, const Console& console)
 {
     const std::filesystem::path file = find_scene(args.scene, scene_folder());
-    const Scene scene = read_with_options(file, args.allow_overlap, global);
+    const Scene scene = read_with_options(file, args.allow_overlap, args.set, global);
     const RunSettings settings = run_settings(args, global, scene, file.string());
     if (global.verbose) explain_settings(scene, file, settings, console);
 
@@ -88,7 +88,7 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
     progress.clear();
     if (events) events->close();
 
-    const std::string json = io::run_json(scene, settings.method, run, {.always_final = args.always_final});
+    const std::string json = io::run_json(scene, settings.method, run, {.always_final = settings.always_final});
     if (!args.out.empty()) write_file(std::filesystem::path(args.out) / "run.json", json);
     console.out << (global.json ? json : run_table(scene, run));
     const Outcome& outcome = run.outcome;

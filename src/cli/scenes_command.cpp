@@ -2,6 +2,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/tables.hpp"
 
+#include <carom/error.hpp>
 #include <carom/io.hpp>
 
 #include <fmt/format.h>
@@ -56,14 +57,49 @@ void show(const std::string& what, const GlobalArguments& global, const Console&
     console.out << aligned(lines, 2);
 }
 
+/// What is wrong with each scene. Those of the whole catalogue include the files that its list leaves out.
+int validate(const std::vector<std::string>& wanted, const GlobalArguments& global, const Console& console)
+{
+    std::vector<std::filesystem::path> files;
+    for (const std::string& each : wanted) files.push_back(find_scene(each, scene_folder()));
+    if (wanted.empty()) files = scene_files(scene_folder());
+    Json json = {{"format", "carom-validation/1"}, {"scenes", Json::array()}};
+    bool all_valid = true;
+    for (const std::filesystem::path& file : files) {
+        std::vector<std::string> problems;
+        try {
+            static_cast<void>(read_with_options(file, false, {}, global));
+        } catch (const InputError& error) {
+            problems = error.problems();
+        }
+        all_valid = all_valid && problems.empty();
+        json["scenes"].push_back({{"path", file.string()}, {"valid", problems.empty()}, {"problems", problems}});
+        if (global.json) continue;
+        if (problems.empty()) console.out << file.string() << ": valid\n";
+        for (const std::string& problem : problems) print_error(console, problem);
+    }
+    if (global.json) console.out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    if (files.empty() && !global.quiet) print_error(console, "no scenes in " + scene_folder().string());
+    return all_valid ? exit_ok : exit_bad_input;
+}
+
 }  // namespace
 
 int do_scenes(const ScenesArguments& args, const GlobalArguments& global, const Console& console)
 {
-    if (args.show.empty())
-        list(global, console);
-    else
-        show(args.show, global, console);
+    switch (args.action) {
+        case ScenesAction::list:
+            list(global, console);
+            break;
+        case ScenesAction::show:
+            show(args.show, global, console);
+            break;
+        case ScenesAction::validate:
+            return validate(args.validate, global, console);
+        case ScenesAction::schema:
+            console.out << read_file(scene_folder() / "scene.schema.json");
+            break;
+    }
     return exit_ok;
 }
 

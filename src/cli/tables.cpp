@@ -98,6 +98,26 @@ std::string run_table(const Scene& scene, const RunStudy& run)
     return aligned(lines, 2);
 }
 
+std::string check_table(const Scene& scene, const std::string& name, const CheckReport& report)
+{
+    const Outcome& outcome = report.run.study.outcome;
+    std::int64_t held = 0;
+    std::string misses;
+    Lines lines{{"  check", "", "error", "allowed"}};
+    for (const CheckResult& each : report.results) {
+        lines.push_back({"  " + each.what, carom::name(each.verdict), figure(each.error), figure(each.tolerance)});
+        if (each.verdict == CheckVerdict::holds)
+            ++held;
+        else
+            misses += fmt::format("  {}: {}: {}\n", carom::name(each.verdict), each.what, each.message);
+    }
+    if (report.results.empty()) lines.clear();
+    std::string head = fmt::format("{} ({}): {} of {} checks hold", name, scene.name, held, report.results.size());
+    if (outcome.status != Status::reached_end)
+        head += fmt::format(", ended {} at t = {:.10g}", carom::name(outcome.status), outcome.time);
+    return head + "\n" + aligned(lines, 2) + misses;
+}
+
 std::string compare_table(const Scene& scene, const Comparison& comparison)
 {
     const ReferenceSummary& reference = comparison.reference;

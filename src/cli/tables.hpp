@@ -2,7 +2,7 @@
 /// Results as text for people.
 #pragma once
 
-#include <carom/study.hpp>
+#include <carom/checks.hpp>
 
 #include <string>
 #include <vector>
@@ -14,6 +14,9 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
 
 /// A run in a dozen lines.
 std::string run_table(const Scene& scene, const RunStudy& run);
+
+/// The checks of a scene, one a line.
+std::string check_table(const Scene& scene, const std::string& name, const CheckReport& report);
 
 /// A comparison, one row a line, then the verdict.
 std::string compare_table(const Scene& scene, const Comparison& comparison);

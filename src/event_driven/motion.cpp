@@ -46,6 +46,7 @@ DoubleDouble signed_height(const Frame& frame, const Plane& plane, const Place& 
         sum = {next.high, sum.low + (next.low + product.low)};
     };
     for (int k = 0; k < 3; ++k) {
+        if (plane.normal[k] == 0) continue;  // most planes lie along the axes
         add(plane.normal[k], static_cast<double>(place.cell[k]) * frame.cell_size);
         add(plane.normal[k], place.local[k]);
     }

@@ -38,14 +38,21 @@ struct PlaneMotion {
 };
 PlaneMotion plane_motion(const State& state, const Moving& sphere, int plane);
 
+/// A plane that is no plate, and no speed towards it when the flight began: quick answers before a height is measured.
+inline bool recedes_at_start(const State& state, const Flight& flight, int plane)
+{
+    const Plane& p = state.plane(plane);
+    return !p.thickness && p.normal.dot(flight.velocity) >= 0;
+}
+
 /// A quick answer before the heights are measured: no speed and no acceleration towards the plane, so there is no root.
 /// Plates, which have two sides, and series always take the long way.
 inline bool recedes(const State& state, const Moving& sphere, int plane)
 {
-    const Plane& p = state.plane(plane);
     const Flight& f = sphere.flight;
-    return !p.thickness && f.mode != Mode::series && p.normal.dot(f.velocity) >= 0 &&
-           (f.acceleration == Accelerations::none || p.normal.dot(state.accelerations[f.acceleration]) >= 0);
+    return f.mode != Mode::series && recedes_at_start(state, f, plane) &&
+           (f.acceleration == Accelerations::none ||
+            state.plane(plane).normal.dot(state.accelerations[f.acceleration]) >= 0);
 }
 
 /// The normal of a plane on the side where the place is: plates have two.

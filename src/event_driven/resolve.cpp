@@ -28,7 +28,7 @@ Resolution resolve_series_end(const State& state, const Key& key)
     const Vec3& g = state.accelerations[state.accelerations.free()];
     const Vec3 impulse = state.sphere(id).mass * ((f.velocity - before.velocity) - series.duration() * g);
     out.events.push_back({EventKind::rest, {}, 0, id, key.b, normal, impulse});
-    out.changes = {{id, f, {}}};
+    out.changes.push_back({id, f});
     return out;
 }
 
@@ -38,7 +38,7 @@ Resolution resolve_intrusion(const State& state, const Key& key)
     Resolution out;
     for (const BodyId body : {key.a, key.b})
         if (!state.is_plane(body) && state.flight(body).mode == Mode::series)
-            out.changes.push_back({body, advanced(state, body, key.time), {}});
+            out.changes.push_back({body, advanced(state, body, key.time)});
     return out;
 }
 

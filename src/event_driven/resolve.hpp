@@ -2,6 +2,7 @@
 /// What an event does: flights in, flights out. Nothing is changed here; the loop commits.
 #pragma once
 
+#include "core/few.hpp"
 #include "event_driven/state.hpp"
 #include "queue/key.hpp"
 
@@ -18,15 +19,15 @@ using Neighbourhood = std::function<std::span<const BodyId>(BodyId)>;
 struct Change {
     BodyId body = no_body;
     Flight flight;
-    Series series;  ///< meaningful if flight.mode is series
 };
 
 /// Outcome of one event.
 struct Resolution {
-    std::vector<Change> changes;
-    std::vector<Event> events;  ///< times and hash are the loop's business: only kind, a, b, normal, impulse
-    double penetration = 0;     ///< of the contact at the instant of impact, >= 0 [length]
-    std::string unresolved;     ///< not empty: what carom cannot resolve, where and why
+    Few<Change, 2> changes;
+    Series series;           ///< of the one change whose flight is a series, if any
+    Few<Event, 3> events;    ///< times and hash are the loop's business: only kind, a, b, normal, impulse
+    double penetration = 0;  ///< of the contact at the instant of impact, >= 0 [length]
+    std::string unresolved;  ///< not empty: what carom cannot resolve, where and why
 };
 
 /// Carry out the event `key`, whose participants have not changed since it was predicted.

@@ -65,14 +65,14 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
                          state.scene.body_name(key.b) + ": contact with several planes is not resolved yet";
         return out;
     }
-    out.changes = {{id, f, {}}};
+    out.changes.push_back({id, f});
     Change& change = out.changes.front();
     if (rests) {
         settle(state, id, plane, change.flight);
         out.events.push_back({EventKind::rest, {}, 0, id, key.b, normal, Vec3::Zero()});
     } else if (f.support < 0 && is_low(state, id, w, gravity, law)) {
-        change.series = make_series(state, f, plane, w, gravity, law);
-        if (series_is_clear(state, id, f, plane, change.series, neighbourhood)) {
+        out.series = make_series(state, f, plane, w, gravity, law);
+        if (series_is_clear(state, id, f, plane, out.series, neighbourhood)) {
             change.flight.mode = Mode::series;
             change.flight.support = plane;
         }

@@ -42,6 +42,7 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
     Resolution out;
     Flight a = advanced(state, key.a, key.time), b = advanced(state, key.b, key.time);
     const Sphere &sa = state.sphere(key.a), &sb = state.sphere(key.b);
+    const double inverse_a = state.inverse_mass(key.a), inverse_b = state.inverse_mass(key.b);
     out.unresolved = why_coupled(state, key, a, b, neighbourhood);
     if (!out.unresolved.empty()) return out;
 
@@ -53,7 +54,7 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
     const double speeds = std::sqrt(a.velocity.squaredNorm()) + std::sqrt(b.velocity.squaredNorm());
     Event impact{EventKind::impact, {}, 0, key.a, key.b, normal, Vec3::Zero()};
     if (approach_sign(r, a.velocity - b.velocity) < 0) {
-        const PairImpact after = resolve_pair({a.velocity, 1 / sa.mass}, {b.velocity, 1 / sb.mass}, normal,
+        const PairImpact after = resolve_pair({a.velocity, inverse_a}, {b.velocity, inverse_b}, normal,
                                               state.laws.spheres(sa.material, sb.material));
         a.velocity = after.velocity_a;
         b.velocity = after.velocity_b;
@@ -75,13 +76,14 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
             return out;
         }
     }
-    const double reduced_mass = 1 / (1 / sa.mass + 1 / sb.mass);
+    const double reduced_mass = 1 / (inverse_a + inverse_b);
     double nudge = 4 * unit_roundoff * speeds;
     for (int i = 0; i < most_nudges && approach_sign(r, a.velocity - b.velocity) < 0; ++i, nudge *= 2) {
-        a.velocity += (nudge * reduced_mass / sa.mass) * normal;
-        b.velocity -= (nudge * reduced_mass / sb.mass) * normal;
+        a.velocity += (nudge * reduced_mass * inverse_a) * normal;
+        b.velocity -= (nudge * reduced_mass * inverse_b) * normal;
     }
-    out.changes = {{key.a, a, {}}, {key.b, b, {}}};
+    if (inverse_a > 0) out.changes.push_back({key.a, a});
+    if (inverse_b > 0) out.changes.push_back({key.b, b});
     return out;
 }
 

@@ -31,6 +31,7 @@ bool closing_contact(const State& state, const Flight& a, BodyId id, int plane)
 BodyId other_closing(const State& state, const Flight& now, BodyId body, BodyId partner,
                      const Neighbourhood& neighbourhood)
 {
+    if (now.mode == Mode::fixed) return no_body;  // contacts are linked through bodies that can move
     BodyId found = no_body;
     for (int p = 0; p < static_cast<int>(state.scene.planes.size()); ++p)
         if (state.scene.plane_body(static_cast<std::size_t>(p)) != partner && p != now.support &&
@@ -56,7 +57,7 @@ bool belongs_to_previous_instant(const State& state, const Key& key)
     const Flight& a = state.flight(key.a);
     const auto changed = [&](BodyId body) { return state.stamps[static_cast<std::size_t>(body)] > 0; };
     if (with_plane) {
-        if (!changed(key.a)) return false;
+        if (!changed(key.a) || recedes_at_start(state, a, state.plane_index(key.b))) return false;
         const PlaneMotion m = plane_motion(state, moving(state, key.a), state.plane_index(key.b));
         return m.h <= tie_fraction * state.radius(key.a) && m.w < 0;
     }

@@ -11,6 +11,10 @@ State::State(const Scene& s)
         radii.push_back(sphere.radius);
         flights.push_back(
             {{0, 0}, place_at(frame, sphere.position), sphere.velocity, accelerations.free(), -1, Mode::flying});
+        if (!sphere.fixed) continue;
+        flights.back().velocity = Vec3::Zero();
+        flights.back().acceleration = Accelerations::none;
+        flights.back().mode = Mode::fixed;
     }
 }
 

@@ -7,6 +7,7 @@
 #include "flight/flight.hpp"
 #include "impact/contact_laws.hpp"
 
+#include <carom/features.hpp>
 #include <carom/simulate.hpp>
 
 #include <unordered_map>
@@ -31,6 +32,9 @@ struct State {
     const Sphere& sphere(BodyId body) const { return scene.spheres[static_cast<std::size_t>(body)]; }
     const Plane& plane(int p) const { return scene.planes[static_cast<std::size_t>(p)]; }
     const Flight& flight(BodyId body) const { return flights[static_cast<std::size_t>(body)]; }
+    /// 0 for a fixed sphere [1/mass]
+    double inverse_mass(BodyId body) const { return is_fixed(body) ? 0 : 1 / sphere(body).mass; }
+    bool is_fixed(BodyId body) const { return flight(body).mode == Mode::fixed; }
     double radius(BodyId body) const { return radii[static_cast<std::size_t>(body)]; }
     BodyId count() const { return static_cast<BodyId>(flights.size()); }
     bool is_plane(BodyId body) const { return body >= count(); }

@@ -77,7 +77,7 @@ std::vector<Change> initial_contacts(const State& state)
             if (!(gravity > 0) || std::abs(w) > 8 * unit_roundoff * std::sqrt(f.velocity.squaredNorm())) continue;
             f.velocity -= w / normal.squaredNorm() * normal;  // what slides along a tilted plane rounds
             hold(state, p, f);
-            changes.push_back({id, f, {}});
+            changes.push_back({id, f});
             break;
         }
     return changes;

@@ -44,10 +44,11 @@ Frame make_frame(const Scene& scene)
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const auto& s : scene.spheres) {
         r_min = std::min(r_min, s.radius);
-        m_min = std::min(m_min, s.mass);
-        twice_energy += s.mass * s.velocity.squaredNorm();
         low = low.cwiseMin(s.position);
         high = high.cwiseMax(s.position);
+        if (s.fixed) continue;
+        m_min = std::min(m_min, s.mass);
+        twice_energy += s.mass * s.velocity.squaredNorm();
     }
     Frame frame;
     if (scene.spheres.empty()) return frame;

@@ -16,7 +16,10 @@ PairImpact resolve_pair(const ImpactSide& a, const ImpactSide& b, const Vec3& no
     out.impulse = reduced_mass * change;
     out.velocity_a =
         b.inverse_mass == 0 ? Vec3(a.velocity + change) : Vec3(a.velocity + (reduced_mass * a.inverse_mass) * change);
-    out.velocity_b = b.inverse_mass == 0 ? b.velocity : Vec3(b.velocity - (reduced_mass * b.inverse_mass) * change);
+    if (a.inverse_mass == 0) out.velocity_a = a.velocity;
+    out.velocity_b = b.inverse_mass == 0   ? b.velocity
+                     : a.inverse_mass == 0 ? Vec3(b.velocity - change)
+                                           : Vec3(b.velocity - (reduced_mass * b.inverse_mass) * change);
     if (law.attenuation != 1) {
         out.velocity_a *= law.attenuation;
         out.velocity_b *= law.attenuation;

@@ -19,8 +19,8 @@ struct PairImpact {
 };
 
 /// v_n+ = -e v_n on the relative velocity, shared by mass; tangential impulse -(1 - alpha) m_red v_t; then both
-/// velocities times `attenuation`. \param normal from b to a, of any length > 0; \pre a approaches b or touches it at
-/// speed 0.
+/// velocities times `attenuation`. \param normal from b to a, of any length > 0; \pre at most one inverse mass is 0; a
+/// approaches b or touches it at speed 0.
 PairImpact resolve_pair(const ImpactSide& a, const ImpactSide& b, const Vec3& normal, const ContactLaw& law);
 
 }  // namespace carom

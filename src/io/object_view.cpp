@@ -66,6 +66,12 @@ std::optional<std::string> ObjectView::string(std::string_view key)
     return place ? as_string(*place, problems_) : std::nullopt;
 }
 
+std::optional<bool> ObjectView::boolean(std::string_view key)
+{
+    const auto place = find(key);
+    return place ? as_boolean(*place, problems_) : std::nullopt;
+}
+
 std::optional<Vec3> ObjectView::vector(std::string_view key)
 {
     const auto place = find(key);

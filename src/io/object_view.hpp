@@ -67,6 +67,7 @@ public:
     std::optional<double> number(std::string_view key, const Range& range = any_number);
     std::optional<std::uint64_t> integer(std::string_view key, std::uint64_t min, std::uint64_t max);
     std::optional<std::string> string(std::string_view key);
+    std::optional<bool> boolean(std::string_view key);
     std::optional<Vec3> vector(std::string_view key);
     /// One of `words`; those `later` belong to the format but are not supported yet.
     std::optional<std::string> word(std::string_view key, const std::vector<std::string>& words,

@@ -61,12 +61,14 @@ Json rest_times_json(const Scene& scene, const Outcome& outcome)
 Json final_json(const Scene& scene, const Outcome& outcome)
 {
     Json states = Json::array();
+    const bool far = scene.origin != Vec3::Zero();
     for (std::size_t i = 0; i < outcome.final.size(); ++i) {
         const BodyState& state = outcome.final[i];
-        states.push_back({{"id", scene.spheres[i].id},
-                          {"position", vector_json(state.position)},
-                          {"velocity", vector_json(state.velocity)},
-                          {"mode", name(state.mode)}});
+        Json& json = states.emplace_back(Json{{"id", scene.spheres[i].id}});
+        json["position"] = vector_json(far ? Vec3(scene.origin + state.position) : state.position);
+        if (far) json["local"] = vector_json(state.position);
+        json["velocity"] = vector_json(state.velocity);
+        json["mode"] = name(state.mode);
     }
     return states;
 }
@@ -84,6 +86,9 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
     json["status"] = name(outcome.status);
     json["message"] = outcome.message;
     json["time"] = outcome.time;
+    if (scene.start_time != EpochTime{})
+        json["start_time"] = {{"epoch", scene.start_time.epoch}, {"offset", scene.start_time.offset}};
+    if (scene.origin != Vec3::Zero()) json["origin"] = vector_json(scene.origin);
     json["spheres"] = scene.spheres.size();
     json["counts"] = counts_json(outcome.counts);
     json["energy"] = {{"initial", run.initial_energy},

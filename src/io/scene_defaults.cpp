@@ -17,11 +17,11 @@ const std::vector<CommandOptions>& command_options()
 {
     static const std::vector<CommandOptions> options{
         {"run",
-         {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds", "final"},
-         {"equilibrate", "certified", "impact", "guard", "kernel"}},
-        {"compare", {"methods", "dt", "until", "repeats", "tolerance"}, {}},
+         {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds", "final", "kernel"},
+         {"equilibrate", "certified", "impact", "guard"}},
+        {"compare", {"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance"}, {}},
         {"tunnel", {"speed", "thickness", "radius", "dt", "methods", "trials", "bisect"}, {}},
-        {"view", {}, {}},
+        {"view", {"out"}, {}},
     };
     return options;
 }
@@ -76,7 +76,7 @@ CommandDefaults read_defaults(const Place& section, const CommandOptions& option
         const Place place{section.value->find(key), view.pointer(key)};
         if (listed(options.later, key)) {
             problems.add(place.pointer, "not yet supported (remove it)");
-        } else if (!options.now.empty() && !listed(options.now, key)) {
+        } else if (!listed(options.now, key)) {
             problems.add(place.pointer, "unknown key" + suggestion(key, options.now, "options of " + options.command));
         } else {
             if (key == "methods") check_methods(place, problems);

@@ -54,17 +54,25 @@ Scene read_scene(const fs::path& file, const ReadOptions& options)
     return parse_scene(read_text(file), file.string(), options);
 }
 
+std::vector<fs::path> scene_files(const fs::path& root)
+{
+    std::vector<fs::path> files;
+    std::error_code error;
+    const auto skip = fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator it(root, skip, error), end; !error && it != end; it.increment(error))
+        if (is_scene_file(it->path())) files.push_back(it->path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 std::vector<CatalogueEntry> list_scenes(const fs::path& root)
 {
     std::vector<CatalogueEntry> entries;
-    std::error_code error;
-    const auto skip = fs::directory_options::skip_permission_denied;
-    for (fs::recursive_directory_iterator it(root, skip, error), end; !error && it != end; it.increment(error)) {
-        if (!is_scene_file(it->path())) continue;
+    for (const fs::path& file : scene_files(root)) {
         try {
-            const io::Json json = io::parse_json(read_text(it->path()), it->path().string());
-            entries.push_back({it->path().stem().string(), it->path(), string_member(json, "name"),
-                               string_member(json, "description")});
+            const io::Json json = io::parse_json(read_text(file), file.string());
+            entries.push_back(
+                {file.stem().string(), file, string_member(json, "name"), string_member(json, "description")});
         } catch (const InputError&) {
             continue;  // unreadable ones are no part of the catalogue; reading one by name says why
         }

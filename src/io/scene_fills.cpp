@@ -105,6 +105,9 @@ FillSpec read_fill(ObjectView& view, ObjectView& root, const SceneDraft& draft, 
     fill.density = mass.density;
     fill.velocity = view.vector("velocity").value_or(fill.velocity);
     fill.speed = view.number("speed", not_negative).value_or(0);
+    fill.fixed = view.boolean("fixed").value_or(false);
+    if (fill.fixed && fill.velocity != Vec3::Zero()) view.problem("velocity", "must be 0, for the spheres are fixed");
+    if (fill.fixed && fill.speed != 0) view.problem("speed", "must be 0, for the spheres are fixed");
     fill.material = read_material(view, draft);
     fill.color = read_color(view);
     view.not_yet("temperature", [](const Json&) { return false; });

@@ -1,7 +1,7 @@
 #include <carom/io.hpp>
 #include <filesystem>
 
-#include "core/text.hpp"
+#include "io/assign.hpp"
 #include "io/scene_draft.hpp"
 
 namespace carom {
@@ -9,23 +9,6 @@ namespace carom {
 namespace io {
 
 namespace {
-
-bool is_zero(const Json& json)
-{
-    return json.kind == Json::Kind::number && json.number == 0;
-}
-
-bool is_zero_vector(const Json& json)
-{
-    for (const auto& item : json.items)
-        if (!is_zero(item)) return false;
-    return json.kind == Json::Kind::array && json.items.size() == 3;
-}
-
-bool is_empty_list(const Json& json)
-{
-    return json.kind == Json::Kind::array && json.items.empty();
-}
 
 bool never(const Json&)
 {
@@ -45,6 +28,25 @@ Units read_units(ObjectView& root)
     return units;
 }
 
+/// A number t is {0, t}: what the clock shows is split into epochs by whoever wants to.
+EpochTime read_start_time(ObjectView& root)
+{
+    EpochTime start;
+    const auto place = root.find("start_time");
+    if (!place) return start;
+    if (place->value->kind != Json::Kind::object) {
+        start.offset = as_number(*place, any_number, root.problems()).value_or(0);
+        return start;
+    }
+    constexpr std::uint64_t most_epochs = std::uint64_t{1} << 53;  // what every reader of JSON keeps exactly
+    ObjectView view(*place, root.problems());
+    view.require({"epoch"});
+    start.epoch = static_cast<std::int64_t>(view.integer("epoch", 0, most_epochs).value_or(0));
+    start.offset = view.number("offset", not_negative).value_or(0);
+    view.finish();
+    return start;
+}
+
 void read_header(ObjectView& root, const std::string& file, Scene& scene)
 {
     root.find("$schema");
@@ -54,16 +56,16 @@ void read_header(ObjectView& root, const std::string& file, Scene& scene)
     scene.description = root.string("description").value_or("");
     scene.units = read_units(root);
     scene.gravity = root.vector("gravity").value_or(scene.gravity);
+    scene.origin = root.vector("origin").value_or(scene.origin);
+    scene.start_time = read_start_time(root);
     scene.end_time = root.number("end_time", positive).value_or(1);
     scene.seed = root.integer("seed", 0, ~std::uint64_t{0}).value_or(scene.seed);
 }
 
 void refuse_what_comes_later(ObjectView& root)
 {
-    root.not_yet("origin", is_zero_vector);
-    root.not_yet("start_time", is_zero);
-    root.not_yet("drag", is_zero);
-    root.not_yet("obstacles", is_empty_list);
+    root.not_yet("drag", never);
+    root.not_yet("obstacles", never);
     root.not_yet("impact", never);
     root.not_yet("guard", never);
     root.not_yet("state", never);
@@ -75,8 +77,10 @@ void refuse_what_comes_later(ObjectView& root)
 
 Scene parse_scene(std::string_view text, const std::string& file, const ReadOptions& options)
 {
-    const io::Json json = io::parse_json(text, file);
+    io::Json json = io::parse_json(text, file);
     io::Problems problems(file);
+    for (const std::string& assignment : options.set) io::assign(json, assignment, problems);
+    problems.throw_if_any();
     io::ObjectView root({&json, ""}, problems);
     problems.throw_if_any();
     io::SceneDraft draft;

@@ -16,7 +16,8 @@ Sphere read_sphere(ObjectView& view, std::size_t index, const SceneDraft& draft)
     s.velocity = view.vector("velocity").value_or(s.velocity);
     s.material = read_material(view, draft);
     s.color = read_color(view);
-    view.not_yet("fixed", [](const Json& json) { return json.kind == Json::Kind::boolean && !json.boolean; });
+    s.fixed = view.boolean("fixed").value_or(false);
+    if (s.fixed && s.velocity != Vec3::Zero()) view.problem("velocity", "must be 0, for the sphere is fixed");
     view.finish();
     return s;
 }

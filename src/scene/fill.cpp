@@ -74,6 +74,7 @@ Filled expand_fill(const FillSpec& fill, const Scene& scene)
         if (fill.speed > 0) s.velocity += fill.speed * random.direction();
         s.material = fill.material;
         s.color = fill.color;
+        s.fixed = fill.fixed;
         filled.spheres.push_back(std::move(s));
     }
     return filled;

@@ -59,6 +59,7 @@ struct FillSpec {
     double speed = 0;               ///< >= 0, added in a random direction of each sphere's own [length/time]
     int material = 0;               ///< index into Scene::materials
     std::string color;              ///< CSS colour; empty: that of the material
+    bool fixed = false;             ///< never move; then velocity and speed are 0
     std::uint64_t stream = 0;       ///< which random numbers: the fill's index in its scene
 };
 

@@ -32,6 +32,8 @@ public:
     std::vector<std::string> broken()
     {
         finite("/gravity", scene_.gravity);
+        finite("/origin", scene_.origin);
+        rule(std::isfinite(scene_.start_time.offset), "/start_time", "must be finite");
         positive("/end_time", scene_.end_time);
         for (const auto& m : scene_.materials) material(m);
         for (std::size_t i = 0; i < scene_.contacts.size(); ++i)
@@ -94,6 +96,7 @@ private:
         positive(place + "/mass", s.mass);
         finite(place + "/position", s.position);
         finite(place + "/velocity", s.velocity);
+        rule(!s.fixed || s.velocity == Vec3::Zero(), place + "/velocity", "must be 0, for the sphere is fixed");
         material_index(place + "/material", s.material);
     }
     void plane(const std::string& place, const Plane& p)

@@ -16,9 +16,7 @@ struct BodyPlaces {
     std::string plane(std::size_t p) const;
 };
 
-/// Every broken rule as "/json/pointer: what is wrong (the cure)"; empty when the scene is valid. Values first (finite,
-/// in range, ids); if those hold, overlaps.
-std::vector<std::string> validate(const Scene& scene, bool allow_overlap = false);
+/// The public `validate` with the places of a file.
 std::vector<std::string> validate(const Scene& scene, bool allow_overlap, const BodyPlaces& places);
 
 /// Ids that two bodies share, naming both places.

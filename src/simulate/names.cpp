@@ -5,6 +5,7 @@
 
 #include <array>
 #include <type_traits>
+#include <utility>
 
 namespace carom {
 
@@ -61,26 +62,49 @@ const char* name(Status status)
     return "?";
 }
 
+namespace {
+
+template <std::size_t... I>
+std::vector<std::string> names_of_alternatives(std::index_sequence<I...>)
+{
+    return {std::string(std::variant_alternative_t<I, Method>::method_name)...};
+}
+
+/// The I-th alternative or one after it.
+template <std::size_t I>
+Method make_alternative(std::string_view wanted, const StepOptions& options)
+{
+    if constexpr (I < std::variant_size_v<Method>) {
+        using Alternative = std::variant_alternative_t<I, Method>;
+        if (wanted != Alternative::method_name) return make_alternative<I + 1>(wanted, options);
+        if constexpr (std::is_base_of_v<StepOptions, Alternative>)
+            return Alternative{options};
+        else
+            return Alternative{};
+    } else {
+        std::string known;
+        for (const std::string& name : method_names()) known += (known.empty() ? "" : ", ") + name;
+        throw InputError({"unknown method \"" + std::string(wanted) + "\" (take " + known + ")"});
+    }
+}
+
+}  // namespace
+
 const std::vector<std::string>& method_names()
 {
-    static const std::vector<std::string> names{"event", "pbd", "velocity", "bisection", "naive"};
+    static const std::vector<std::string> names =
+        names_of_alternatives(std::make_index_sequence<std::variant_size_v<Method>>());
     return names;
 }
 
 std::string_view name(const Method& method)
 {
-    return method_names()[method.index()];
+    return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::method_name; }, method);
 }
 
 Method make_method(std::string_view wanted, const StepOptions& options)
 {
-    if (wanted == "event") return EventDriven{};
-    if (wanted == "pbd") return PositionBased{options};
-    if (wanted == "velocity") return VelocityBased{options};
-    if (wanted == "bisection") return Bisection{options};
-    if (wanted == "naive") return Naive{options};
-    throw InputError(
-        {"unknown method \"" + std::string(wanted) + "\" (take event, pbd, velocity, bisection or naive)"});
+    return make_alternative<0>(wanted, options);
 }
 
 const StepOptions* step_options(const Method& method)

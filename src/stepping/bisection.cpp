@@ -9,6 +9,7 @@
 #include "stepping/bracket.hpp"
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
+#include "stepping/straight_paths.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -24,21 +25,21 @@ using namespace stepping;
 
 class BisectionStepper {
 public:
-    explicit BisectionStepper(std::size_t spheres)
-        : since_(spheres), target_(spheres), stamp_(spheres), changed_(spheres)
-    {
-    }
+    explicit BisectionStepper(std::size_t spheres) : paths_(spheres) {}
 
     void advance(System& system, const Substep& substep)
     {
         begin(system, substep);
-        // Responses beyond this are not tried: what still overlaps then is accepted, so that every substep ends.
+        // Where bounces accumulate within a substep it would not end: beyond this number of responses nothing is
+        // foreseen any more. What is known gets one response each, in order of time, and the overlap that is left then
+        // is accepted.
         constexpr std::int64_t most_for_a_scene = 100, most_for_a_sphere = 10;
-        const auto n = static_cast<std::int64_t>(system.bodies.size());
-        std::int64_t left = most_for_a_scene + most_for_a_sphere * n;
-        while (!queue_.empty() && left > 0) {
-            const Pending next = pop();
-            if (next.stamp != stamp(next.a, next.b)) continue;
+        std::int64_t left = most_for_a_scene + most_for_a_sphere * static_cast<std::int64_t>(system.bodies.size());
+        while (!queue_.empty()) {
+            Pending next = pop();
+            settling_ = left <= 0;
+            if (!settling_ && next.stamp != stamp(system, next.a, next.b)) continue;
+            if (settling_ && !still_due(system, next)) continue;
             if (respond_at(system, substep, next)) --left;
         }
         end(system);
@@ -59,23 +60,20 @@ private:
     void begin(System& system, const Substep& substep)
     {
         Bodies& bodies = system.bodies;
-        h_ = substep.length;
-        accelerate(bodies, system.gravity, h_);
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            since_[i] = 0;
-            target_[i] = bodies.position[i] + h_ * bodies.velocity[i];
-        }
+        accelerate(bodies, system.gravity, substep.length);
+        paths_.begin(bodies, substep.length);
+        settling_ = false;
         queue_.clear();
         seen_.clear();
         contacts_.clear();
-        system.detector.find_pairs(target_, bodies.radius, contacts_);
-        system.detector.find_walls(target_, bodies.radius, contacts_);
+        system.detector.find_pairs(paths_.target, bodies.radius, contacts_);
+        system.detector.find_walls(paths_.target, bodies.radius, contacts_);
         for (const Contact& c : contacts_) add(system, c.a, c.b, c.gap, 0);
     }
 
     void end(System& system)
     {
-        system.bodies.position.swap(target_);
+        system.bodies.position.swap(paths_.target);
         // Every pair that overlaps now was seen, because it was looked for at these very positions.
         for (const auto& [a, b] : seen_) {
             const double gap =
@@ -84,13 +82,6 @@ private:
                     .value;
             system.max_penetration = std::max(system.max_penetration, -gap);
         }
-        for (const BodyId i : changed_list_) changed_[index(i)] = 0;
-        changed_list_.clear();
-    }
-
-    Vec3 place(const Bodies& bodies, BodyId i, double time) const
-    {
-        return bodies.position[index(i)] + (time - since_[index(i)]) * bodies.velocity[index(i)];
     }
 
     static Gap gap_at(const System& system, BodyId a, BodyId b, const Vec3& pa, const Vec3& pb)
@@ -102,31 +93,42 @@ private:
 
     Gap gap_at(const System& system, BodyId a, BodyId b, double time) const
     {
-        const Vec3 pa = place(system.bodies, a, time);
-        return gap_at(system, a, b, pa, system.detector.is_wall(b) ? pa : place(system.bodies, b, time));
+        const Vec3 pa = paths_.place(system.bodies, a, time);
+        return gap_at(system, a, b, pa, system.detector.is_wall(b) ? pa : paths_.place(system.bodies, b, time));
     }
 
-    std::uint64_t stamp(BodyId a, BodyId b) const
+    std::uint64_t stamp(const System& system, BodyId a, BodyId b) const
     {
-        return stamp_[index(a)] + (index(b) < stamp_.size() ? stamp_[index(b)] : 0);
+        return paths_.changes(a) + (system.detector.is_wall(b) ? 0 : paths_.changes(b));
     }
 
     /// A pair that overlaps at its targets: when does that begin, not before `now`?
     void add(System& system, BodyId a, BodyId b, double end_gap, double now)
     {
         seen_.emplace_back(a, b);
+        if (settling_) return;
         double time = now;
         const Gap start = gap_at(system, a, b, now);
         ++system.detector.tests;
         if (start.value > 0) {
             ++system.root_solves;
             time = bisect(
-                now, h_, [&](double t) { return gap_at(system, a, b, t).value <= 0; }, system.detector.tests);
+                now, paths_.length(), [&](double t) { return gap_at(system, a, b, t).value <= 0; },
+                system.detector.tests);
         } else if (normal_velocity(system.bodies, {start.value, a, b, start.normal}) >= 0) {
             return;  // an overlap that is on its way out: on straight paths it stays so
         }
-        queue_.push_back({time, rank(system, a, b, end_gap), a, b, stamp(a, b)});
+        queue_.push_back({time, rank(system, a, b, end_gap), a, b, stamp(system, a, b)});
         std::push_heap(queue_.begin(), queue_.end(), later);
+    }
+
+    /// While settling: do the two, as they move now, still overlap at the end? \param next gets a time that both have
+    /// reached.
+    bool still_due(const System& system, Pending& next) const
+    {
+        const bool pair = !system.detector.is_wall(next.b);
+        next.time = std::max({next.time, paths_.since(next.a), pair ? paths_.since(next.b) : 0});
+        return gap_at(system, next.a, next.b, paths_.length()).value <= 0;
     }
 
     static bool later(const Pending& x, const Pending& y)
@@ -149,29 +151,14 @@ private:
         const Contact contact{gap.value, next.a, next.b, gap.normal};
         if (normal_velocity(system.bodies, contact) >= 0) return false;
         const bool pair = !system.detector.is_wall(next.b);
-        stop_at(system.bodies, next.a, next.time);
-        if (pair) stop_at(system.bodies, next.b, next.time);
+        paths_.stop_at(system.bodies, next.a, next.time);
+        if (pair) paths_.stop_at(system.bodies, next.b, next.time);
         system.impacts.add(contact, respond(system.bodies, system.laws, contact), substep.begin + next.time);
-        go_on(system.bodies, next.a, next.time);
-        if (pair) go_on(system.bodies, next.b, next.time);
+        paths_.go_on(system.bodies, next.a);
+        if (pair) paths_.go_on(system.bodies, next.b);
         look_again(system, next.a, pair ? next.b : no_body, next.time);
         if (pair) look_again(system, next.b, no_body, next.time);
         return true;
-    }
-
-    void stop_at(Bodies& bodies, BodyId i, double time)
-    {
-        bodies.position[index(i)] = place(bodies, i, time);
-        since_[index(i)] = time;
-    }
-
-    void go_on(const Bodies& bodies, BodyId i, double time)
-    {
-        target_[index(i)] = bodies.position[index(i)] + (h_ - time) * bodies.velocity[index(i)];
-        ++stamp_[index(i)];
-        if (changed_[index(i)]) return;
-        changed_[index(i)] = 1;
-        changed_list_.push_back(i);
     }
 
     /// Contacts of sphere i at its new target, except that with `later_partner`, which finds it when its own turn
@@ -179,23 +166,23 @@ private:
     void look_again(System& system, BodyId i, BodyId later_partner, double now)
     {
         const Bodies& bodies = system.bodies;
-        const Vec3 target = target_[index(i)];
+        const Vec3 target = paths_.target[index(i)];
         const double radius = bodies.radius[index(i)];
         partners_.clear();
         const auto test = [&](BodyId j) {
             if (j == i || j == later_partner) return;
             ++system.detector.tests;
-            const Vec3 d = target - target_[index(j)];
+            const Vec3 d = target - paths_.target[index(j)];
             if (overlap(d.x(), d.y(), d.z(), radius + bodies.radius[index(j)])) partners_.push_back(j);
         };
         system.detector.for_each_near(target, [&](BodyId j) {
-            if (!changed_[index(j)]) test(j);
+            if (!paths_.is_changed(j)) test(j);
         });
-        for (const BodyId j : changed_list_) test(j);
+        for (const BodyId j : paths_.changed()) test(j);
         std::sort(partners_.begin(), partners_.end());  // the order of finding must not matter
         for (const BodyId j : partners_) {
             const BodyId a = std::min(i, j), b = std::max(i, j);
-            add(system, a, b, gap_at(system, a, b, target_[index(a)], target_[index(b)]).value, now);
+            add(system, a, b, gap_at(system, a, b, paths_.target[index(a)], paths_.target[index(b)]).value, now);
         }
         contacts_.clear();
         system.detector.find_walls_of(i, target, radius, contacts_);
@@ -218,12 +205,9 @@ private:
         return 0;
     }
 
-    double h_ = 0;                       ///< of this substep [time]
-    std::vector<double> since_;          ///< moment of Bodies::position, since the begin of the substep [time]
-    std::vector<Vec3> target_;           ///< where each will be at the end of the substep [length]
-    std::vector<std::uint64_t> stamp_;   ///< counts changes of velocity
-    std::vector<std::uint8_t> changed_;  ///< in this substep: not where the detector saw it
-    std::vector<BodyId> changed_list_, partners_;
+    bool settling_ = false;  ///< too many responses in this substep
+    StraightPaths paths_;
+    std::vector<BodyId> partners_;
     std::vector<Pending> queue_;
     std::vector<Contact> contacts_;
     std::vector<std::pair<BodyId, BodyId>> seen_;  ///< pairs that overlapped at some target

@@ -54,7 +54,7 @@ Watch::Watch(const RunOptions& options, const Observer& observer, std::size_t sp
 {
     // Often enough for large scenes, whose substeps take milliseconds; seldom enough for small ones to cost nothing.
     constexpr std::int64_t longest_period = 64;
-    constexpr std::int64_t spheres_between = 65536;
+    constexpr std::int64_t spheres_between = 4096;
     period_ = std::clamp<std::int64_t>(spheres_between / static_cast<std::int64_t>(spheres + 1), 1, longest_period);
 }
 

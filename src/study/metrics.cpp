@@ -17,6 +17,7 @@ std::vector<BodyState> initial_states(const Scene& scene)
     for (std::size_t i = 0; i < states.size(); ++i) {
         states[i].position = scene.spheres[i].position;
         states[i].velocity = scene.spheres[i].velocity;
+        if (scene.spheres[i].fixed) states[i].mode = Mode::fixed;
     }
     return states;
 }

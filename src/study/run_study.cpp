@@ -46,6 +46,8 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     result.final_energy = total_energy(scene, outcome.final);
     // Without motion there is no scale for a drift, and no drift either.
     if (conserves_energy(scene)) result.max_relative_drift = largest_kinetic == 0 ? 0 : largest_drift / largest_kinetic;
+    result.max_energy_change = largest_drift;
+    result.max_kinetic_energy = largest_kinetic;
     result.initial_momentum = momentum(scene, start);
     result.final_momentum = momentum(scene, outcome.final);
     result.max_penetration = std::max(outcome.max_penetration, deepest);

@@ -1,11 +1,13 @@
 /// \file
-/// The four discrete methods behind one name each, for tests that go over all of them.
+/// The discrete methods behind one name each, for tests that go over all of them.
 #pragma once
 
 #include "stepping/stepping.hpp"
 
+#include <string>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace carom::test {
 
@@ -42,13 +44,19 @@ inline Outcome run_discrete(const Scene& scene, const Method& method, const RunO
 
 inline std::vector<Method> all_discrete(const StepOptions& options)
 {
-    return {PositionBased{options}, VelocityBased{options}, Bisection{options}, Naive{options}};
+    std::vector<Method> methods;
+    for (const std::string& name : method_names())
+        if (const Method method = make_method(name, options); step_options(method)) methods.push_back(method);
+    return methods;
 }
 
 /// All but naive.
 inline std::vector<Method> all_serious(const StepOptions& options)
 {
-    return {PositionBased{options}, VelocityBased{options}, Bisection{options}};
+    std::vector<Method> methods;
+    for (const Method& method : all_discrete(options))
+        if (!std::holds_alternative<Naive>(method)) methods.push_back(method);
+    return methods;
 }
 
 }  // namespace carom::test

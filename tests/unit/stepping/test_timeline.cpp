@@ -9,6 +9,7 @@ TEST_CASE("The number of steps is until / dt rounded up, rounding errors aside",
 {
     CHECK(Timeline(1, 0.1, 1).steps() == 10);
     CHECK(Timeline(1, 0.3, 1).steps() == 4);
+    CHECK(Timeline(1.1, 0.1, 1).steps() == 11);  // 1.1 / 0.1 = 11.000000000000002 in doubles
     CHECK(Timeline(1, 1.0 / 60, 1).steps() == 60);
     CHECK(Timeline(2, 1.0 / 3000, 1).steps() == 6000);
     CHECK(Timeline(1, 5, 1).steps() == 1);

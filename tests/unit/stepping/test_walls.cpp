@@ -134,3 +134,18 @@ TEST_CASE("With passes a contact of pbd counts once a substep", "[stepping]")
     CHECK((events[0].impulse - Vec3(0, 0, -2)).norm() < 1e-15);
     CHECK((events[1].impulse - Vec3(0, 0, 2)).norm() < 1e-15);
 }
+
+TEST_CASE("A wall contact is visited once a pass, also for a sphere that a pair has just moved", "[stepping]")
+{
+    // Sphere 0 is in the wall before and after the pair is projected. Literal: swap, then one reflection; twice would
+    // be none.
+    const Scene scene =
+        scene_of({ball(0.1, Vec3(0.09, 0, 0), Vec3(-1, 0, 0)), ball(0.1, Vec3(0.25, 0, 0), Vec3(-2, 0, 0))},
+                 {wall(Vec3::UnitX(), 0)});
+    PositionBased method{steps(1e-9)};
+    method.literal = true;
+    const Outcome outcome = run_discrete(scene, method, until(1e-9));
+    CHECK(outcome.counts.impacts == 2);
+    CHECK(outcome.final[0].velocity.x() == 2);
+    CHECK(outcome.final[1].velocity.x() == -1);
+}

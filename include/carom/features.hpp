@@ -1,0 +1,46 @@
+/// \file
+/// What a scene needs of an engine, and what each compiled kernel has. A scene runs on the first kernel of the list
+/// that covers its needs, so it pays for nothing that it does not use. All kernels give the same events, bit for bit.
+#pragma once
+
+#include <carom/method.hpp>
+#include <carom/scene.hpp>
+
+#include <span>
+#include <string_view>
+
+namespace carom {
+
+struct Features {
+    bool gravity = false;  ///< accelerations, series, quartics
+    bool pairs = false;    ///< more than one sphere: broad phase, pair tests, stamps, queue
+
+    friend constexpr bool operator==(const Features&, const Features&) = default;
+};
+
+/// A pure function of the data.
+Features needs(const Scene& scene);
+
+/// Does a kernel with features `kernel` run a scene that needs `needed`?
+constexpr bool covers(const Features& kernel, const Features& needed)
+{
+    return (kernel.gravity || !needed.gravity) && (kernel.pairs || !needed.pairs);
+}
+
+struct Kernel {
+    std::string_view name;
+    Features features;
+    std::string_view leaves_out;  ///< for people
+};
+
+/// Cheapest first; the last one covers everything.
+std::span<const Kernel> kernels();
+
+/// The kernel called `forced`, or the first that covers the scene if `forced` is empty.
+/// \throws InputError if there is no kernel of that name or it lacks what the scene needs
+const Kernel& choose_kernel(const Scene& scene, std::string_view forced = {});
+
+/// What `BroadPhase::automatic` takes: all pairs for few spheres, a cell grid for many. \param spheres their number
+BroadPhase automatic_broad_phase(std::size_t spheres);
+
+}  // namespace carom

@@ -1,0 +1,95 @@
+#include "cli/cli.hpp"
+#include "cli/exit_codes.hpp"
+
+#include <carom/features.hpp>
+#include <carom/io.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+
+namespace carom::cli {
+
+namespace {
+
+struct Explanation {
+    Features needed;
+    const Kernel* kernel = nullptr;
+    std::string broad_phase, reference;
+    std::string why_gravity, why_pairs, why_kernel;
+};
+
+std::string broad_phase_of(const Scene& scene)
+{
+    if (scene.spheres.size() < 2) return "none: one sphere has no neighbours";
+    if (automatic_broad_phase(scene.spheres.size()) == BroadPhase::all_pairs) return "all pairs: the spheres are few";
+    return "cell grid: the spheres are many";
+}
+
+std::string reference_of(const Scene& scene)
+{
+    if (scene.spheres.size() < 2) return "closed form: a single sphere among planes";
+    return "multiprecision: an independent event integrator in 50 and 100 digits";
+}
+
+Explanation explain(const Scene& scene, const std::string& forced)
+{
+    Explanation e;
+    e.needed = needs(scene);
+    e.kernel = &choose_kernel(scene, forced);
+    e.broad_phase = broad_phase_of(scene);
+    e.reference = reference_of(scene);
+    e.why_gravity = e.needed.gravity ? "gravity is not 0" : "gravity is 0";
+    e.why_pairs = fmt::format("there {} {} sphere{}", scene.spheres.size() == 1 ? "is" : "are", scene.spheres.size(),
+                              scene.spheres.size() == 1 ? "" : "s");
+    e.why_kernel = forced.empty() ? "the cheapest that covers the needs" : "forced, and it covers the needs";
+    return e;
+}
+
+std::string as_json(const Scene& scene, const Explanation& e)
+{
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Kernel& kernel : kernels())
+        list.push_back(
+            {{"name", kernel.name}, {"covers", covers(kernel.features, e.needed)}, {"leaves_out", kernel.leaves_out}});
+    const nlohmann::ordered_json json = {{"format", "carom-explain/1"},
+                                         {"scene", scene.name},
+                                         {"needs", {{"gravity", e.needed.gravity}, {"pairs", e.needed.pairs}}},
+                                         {"kernel", e.kernel->name},
+                                         {"why", e.why_kernel},
+                                         {"kernels", list},
+                                         {"broad_phase", e.broad_phase},
+                                         {"reference", e.reference}};
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string as_text(const Scene& scene, const Explanation& e)
+{
+    const auto yes = [](bool value) { return value ? "yes" : "no"; };
+    std::string text =
+        fmt::format("{} ({} spheres, {} planes)\n", scene.name, scene.spheres.size(), scene.planes.size());
+    text += fmt::format("needs gravity   {:<4} {}\n", yes(e.needed.gravity), e.why_gravity);
+    text += fmt::format("needs pairs     {:<4} {}\n", yes(e.needed.pairs), e.why_pairs);
+    text +=
+        fmt::format("kernel          {}: {}; it leaves out {}\n", e.kernel->name, e.why_kernel, e.kernel->leaves_out);
+    for (const Kernel& kernel : kernels())
+        text += fmt::format("                {:<8} {}\n", kernel.name,
+                            covers(kernel.features, e.needed) ? "covers this scene" : "lacks what this scene needs");
+    text += fmt::format("broad phase     {}\n", e.broad_phase);
+    text += fmt::format("reference       {}\n", e.reference);
+    return text;
+}
+
+}  // namespace
+
+int do_explain(const ExplainArguments& args, const GlobalArguments& global, const Console& console)
+{
+    const auto file = find_scene(args.scene, scene_folder());
+    const Scene scene = read_with_options(file, args.allow_overlap, args.set, global);
+    const Explanation explanation = explain(scene, args.kernel);
+    console.out << (global.json ? as_json(scene, explanation) : as_text(scene, explanation));
+    return exit_ok;
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,32 @@
+/// \file
+/// The books of a run: events reported, counted and hashed, and what the planes carried.
+#pragma once
+
+#include "event_driven/event_hash.hpp"
+#include "event_driven/state.hpp"
+
+#include <carom/features.hpp>
+
+namespace carom {
+
+class Ledger {
+public:
+    Ledger(const State& state, const Kernel& kernel, const Observer& observer);
+
+    /// Record an event that happens at `now`.
+    void report(const State& state, const EpochTime& now, Event event);
+    /// Add what a plane has carried since the body's flight began, from the balance of normal momentum. Call before the
+    /// flight changes.
+    void account_for_support(const State& state, BodyId body, const EpochTime& now);
+
+    std::int64_t events() const { return out.counts.impacts + out.counts.rests + out.counts.releases; }
+    std::uint64_t hash() const { return hash_.value(); }
+
+    Outcome out;
+
+private:
+    const Observer& observer_;
+    EventHash hash_;
+};
+
+}  // namespace carom

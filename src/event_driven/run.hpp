@@ -1,0 +1,173 @@
+/// \file
+/// One run in progress: the loop, for any schedule. (A template: a scene of one sphere runs without queue, broad phase
+/// and stamps.)
+#pragma once
+
+#include "event_driven/impact_rate.hpp"
+#include "event_driven/ledger.hpp"
+#include "event_driven/motion.hpp"
+#include "event_driven/resolve.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace carom {
+
+template <class Schedule>
+class Run {
+public:
+    Run(const Scene& scene, const Kernel& kernel, const EventDriven& method, const RunOptions& options,
+        const Observer& observer)
+        : state_(scene),
+          ledger_(state_, kernel, observer),
+          options_(options),
+          observer_(observer),
+          end_(state_.frame.after({}, std::isnan(options.until) ? scene.end_time : options.until)),
+          schedule_(begin(), method.broad_phase, ledger_.out.counts),
+          rate_(state_),
+          neighbourhood_([this](BodyId body) { return schedule_.neighbours(body); }),
+          deadline_(deadline(options))
+    {
+    }
+
+    Outcome go()
+    {
+        Status status = Status::reached_end;
+        while (status == Status::reached_end && state_.count() > 0) {
+            const auto next = schedule_.next();
+            if (next.key.time > end_) break;
+            if (status = look(next.key.time); status != Status::reached_end) break;
+            if (next.key.kind == Scheduled::cell_crossing)
+                schedule_.cross(state_, next.key, ledger_.out.counts);
+            else if (schedule_.is_stale(state_, next))
+                schedule_.predict_again(state_, next, ledger_.out.counts);
+            else
+                status = execute(next.key);
+        }
+        return finish(status);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    static std::optional<Clock::time_point> deadline(const RunOptions& options)
+    {
+        if (!(options.max_seconds < 1e9)) return {};
+        return Clock::now() +
+               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.max_seconds));
+    }
+
+    /// Contacts of the start take hold before anything is predicted.
+    const State& begin()
+    {
+        for (const Change& change : initial_contacts(state_)) {
+            state_.flights[static_cast<std::size_t>(change.body)] = change.flight;
+            ledger_.out.rest_times[static_cast<std::size_t>(change.body)] = 0.0;
+        }
+        return state_;
+    }
+
+    Status execute(const Key& key)
+    {
+        now_ = key.time;
+        show_samples_before(now_);
+        const Resolution resolution = resolve(state_, key, neighbourhood_);
+        if (!resolution.unresolved.empty()) return stop(Status::unresolved, resolution.unresolved);
+        for (const Change& change : resolution.changes) commit(change, resolution.series);
+        ledger_.out.max_penetration = std::max(ledger_.out.max_penetration, resolution.penetration);
+        for (const Event& event : resolution.events) ledger_.report(state_, now_, event);
+        for (const Change& change : resolution.changes)
+            schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
+        return limits(key, resolution);
+    }
+
+    void commit(const Change& change, const Series& series)
+    {
+        ledger_.account_for_support(state_, change.body, now_);
+        Flight& flight = state_.flights[static_cast<std::size_t>(change.body)];
+        if (flight.mode == Mode::series) state_.series.erase(change.body);
+        flight = change.flight;
+        if (flight.mode == Mode::series) state_.series[change.body] = series;
+        ++state_.stamps[static_cast<std::size_t>(change.body)];
+    }
+
+    Status limits(const Key& key, const Resolution& resolution)
+    {
+        if (ledger_.events() >= options_.max_events)
+            return stop(Status::event_limit, "the limit of " + std::to_string(options_.max_events) + " events");
+        if (rate_.accumulates(state_, key, resolution))
+            return stop(Status::unresolved,
+                        "impacts of " + state_.scene.body_name(key.a) + " and " + state_.scene.body_name(key.b) +
+                            " accumulate: coming to rest on spheres or on several planes is not resolved yet");
+        return Status::reached_end;
+    }
+
+    /// Now and then, also where nothing happens but cell crossings: is there time, and does the observer want more?
+    Status look(const EpochTime& time)
+    {
+        constexpr std::int64_t look_every = 256;
+        if (++looked_at_ % look_every != 0) return Status::reached_end;
+        const bool late = deadline_ && Clock::now() > *deadline_;
+        if (!late && (!observer_.on_progress || observer_.on_progress(state_.frame.seconds(time))))
+            return Status::reached_end;
+        now_ = time;
+        show_samples_before(now_);
+        return late ? stop(Status::time_limit, "the limit of " + std::to_string(options_.max_seconds) + " s")
+                    : stop(Status::interrupted, "interrupted");
+    }
+
+    Status stop(Status status, const std::string& why)
+    {
+        ledger_.out.message = why + ", at t = " + std::to_string(state_.frame.seconds(now_));
+        return status;
+    }
+
+    void show_samples_before(const EpochTime& time)
+    {
+        while (next_sample_ < observer_.sample_times.size()) {
+            const double t = observer_.sample_times[next_sample_];
+            const EpochTime at = state_.frame.after({}, t);
+            if (!(at < time)) return;
+            if (observer_.on_sample) observer_.on_sample(next_sample_, t, states_at(at));
+            ++next_sample_;
+        }
+    }
+
+    const std::vector<BodyState>& states_at(const EpochTime& time)
+    {
+        states_.resize(state_.flights.size());
+        for (BodyId i = 0; i < state_.count(); ++i) states_[static_cast<std::size_t>(i)] = state_of(state_, i, time);
+        return states_;
+    }
+
+    Outcome finish(Status status)
+    {
+        if (status == Status::reached_end) {
+            now_ = end_;
+            show_samples_before(never);
+        }
+        for (BodyId i = 0; i < state_.count(); ++i) ledger_.account_for_support(state_, i, now_);
+        Outcome& out = ledger_.out;
+        out.status = status;
+        out.time = state_.frame.seconds(now_);
+        out.final = states_at(now_);
+        out.event_hash = ledger_.hash();
+        return std::move(out);
+    }
+
+    State state_;
+    Ledger ledger_;
+    const RunOptions& options_;
+    const Observer& observer_;
+    EpochTime end_, now_;
+    Schedule schedule_;
+    ImpactRate rate_;
+    Neighbourhood neighbourhood_;
+    std::optional<Clock::time_point> deadline_;
+    std::size_t next_sample_ = 0;
+    std::int64_t looked_at_ = 0;
+    std::vector<BodyState> states_;
+};
+
+}  // namespace carom

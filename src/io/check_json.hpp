@@ -1,0 +1,20 @@
+/// \file
+/// Evaluated checks as JSON, format carom-check/1.
+#pragma once
+
+#include <carom/checks.hpp>
+
+#include <string>
+#include <vector>
+
+namespace carom::io {
+
+struct CheckedScene {
+    std::string name, title;  ///< the file's stem; what the scene calls itself
+    CheckReport report;
+};
+
+/// One JSON object, indented, with its last line end. What is not finite is null.
+std::string check_json(const std::vector<CheckedScene>& scenes);
+
+}  // namespace carom::io
