@@ -60,7 +60,7 @@ TEST_CASE("a sphere that hits two touching ones at once is unresolved, whatever 
     Random random(4);
     for (int i = 0; i < 50; ++i) {
         const Vec3 ahead = random.direction(), across = random.across(ahead);
-        Scene scene = empty_scene(2);
+        Scene scene = empty_scene(3);
         add_sphere(scene, 0.5, -2 * ahead, ahead);
         for (const double side : {0.5, -0.5}) add_sphere(scene, 0.5, std::sqrt(0.75) * ahead + side * across);
         require_unresolved(scene, {"s0", "s1", "s2"});
