@@ -33,6 +33,12 @@ struct CompareArguments {
     std::string out;  ///< folder; empty: out/compare-NAME
 };
 
+struct StressArguments {
+    GivenOptions given;  ///< methods
+    std::string only;    ///< name of a case; empty: all
+    std::string out;     ///< folder for stress.csv and stress.json; may be empty
+};
+
 struct ReportArguments {
     std::vector<std::string> folders;
     std::string out;  ///< HTML file; empty: FOLDER/report.html for one folder, out/report.html for several
@@ -42,13 +48,14 @@ struct ScenesArguments {
     std::string show;  ///< scene to show; empty: list all
 };
 
-enum class Command { run, compare, report, scenes };
+enum class Command { run, compare, stress, report, scenes };
 
 struct Arguments {
     GlobalArguments global;
     Command command = Command::run;
     RunArguments run;
     CompareArguments compare;
+    StressArguments stress;
     ReportArguments report;
     ScenesArguments scenes;
 };

@@ -26,6 +26,8 @@ int dispatch(const Arguments& arguments, const Console& console)
             return do_run(arguments.run, arguments.global, console);
         case Command::compare:
             return do_compare(arguments.compare, arguments.global, console);
+        case Command::stress:
+            return do_stress(arguments.stress, arguments.global, console);
         case Command::report:
             return do_report(arguments.report, arguments.global, console);
         case Command::scenes:

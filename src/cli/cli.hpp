@@ -15,6 +15,7 @@ namespace carom::cli {
 // One file a command. Each returns an exit code and throws InputError or UsageError.
 int do_run(const RunArguments& args, const GlobalArguments& global, const Console& console);
 int do_compare(const CompareArguments& args, const GlobalArguments& global, const Console& console);
+int do_stress(const StressArguments& args, const GlobalArguments& global, const Console& console);
 int do_report(const ReportArguments& args, const GlobalArguments& global, const Console& console);
 int do_scenes(const ScenesArguments& args, const GlobalArguments& global, const Console& console);
 

@@ -8,8 +8,8 @@ namespace carom::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> later_commands{"tunnel",  "stress", "verify", "check",
-                                                         "explain", "view",   "export", "query"};
+constexpr std::array<std::string_view, 7> later_commands{"tunnel", "verify", "check", "explain",
+                                                         "view",   "export", "query"};
 constexpr std::string_view query_service = "toi";
 constexpr std::array<std::string_view, 7> later_options{"--certified",  "--impact", "--guard",      "--kernel",
                                                         "--save-state", "--set",    "--equilibrate"};

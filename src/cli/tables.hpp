@@ -2,6 +2,8 @@
 /// Results as text for people.
 #pragma once
 
+#include "study/stress/stress.hpp"
+
 #include <carom/study.hpp>
 
 #include <string>
@@ -17,5 +19,8 @@ std::string run_table(const Scene& scene, const RunStudy& run);
 
 /// A comparison, one row a line, then the verdict.
 std::string compare_table(const Scene& scene, const Comparison& comparison);
+
+/// Cases by methods, then each case with its rule and why methods fail it.
+std::string stress_table(const stress::Report& report);
 
 }  // namespace carom::cli

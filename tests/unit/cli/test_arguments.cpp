@@ -106,7 +106,7 @@ TEST_CASE("what belongs to later versions is refused and not in the help", "[arg
 {
     std::string help = parse_arguments({"-h"}).out;
     for (const char* command : {"run", "compare", "scenes"}) help += parse_arguments({command, "-h"}).out;
-    for (const char* word : {"tunnel", "stress", "verify", "view", "export", "query", "toi", "--certified", "--impact",
+    for (const char* word : {"tunnel", "verify", "view", "export", "query", "toi", "--certified", "--impact",
                              "--guard", "--kernel", "--save-state", "--set", "--equilibrate", "moreau", "penalty"}) {
         CAPTURE(word);
         CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
