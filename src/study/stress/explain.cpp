@@ -45,7 +45,7 @@ std::string general_cause(Symptom symptom)
         case Symptom::invented:
             return "an overlap that is not undone within a step is answered again";
         case Symptom::sank:
-            return "nothing undoes an overlap";
+            return "the surfaces pass each other by that much in a step";
         case Symptom::energy:
             return "impacts act at the end of a step, not where the surfaces meet";
         case Symptom::late:

@@ -5,8 +5,8 @@
 
 #include <carom/metrics.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace carom::stress {
 
@@ -70,24 +70,19 @@ Case time_reversal()
 
 Evidence measure_drift(std::string_view method)
 {
-    constexpr double radius = 0.125, gravity = 8, fall = 0.5;  // dropped from 1 m
-    constexpr double impacts = 1e5;
-    Trial trial{.label = "",
-                .scene = empty_scene("Drift", impacts * 2 * fall, {0, 0, -gravity}),
-                .dt = 1.0 / 240,
-                .impacts = static_cast<std::int64_t>(impacts)};
-    add_plane(trial.scene, Vec3::UnitZ());
-    add_sphere(trial.scene, {.radius = radius, .position = {0, 0, 1 + radius}});
+    constexpr double radius = 0.1, gravity = 9.81, step = 1.0 / 240;  // dropped from 1 m; numbers that round
+    constexpr std::int64_t impacts = 100'000;
+    const double fall = std::sqrt(2 / gravity);
+    Scene scene = empty_scene("Drift", static_cast<double>(impacts) * 2 * fall, {0, 0, -gravity});
+    add_plane(scene, Vec3::UnitZ());
+    add_sphere(scene, {.radius = radius, .position = {0, 0, 1 + radius}});
+    const Outcome outcome = simulate(scene, make_method(method, StepOptions{.dt = step}));
     Evidence evidence;
-    RunOptions options;
-    const Outcome outcome = simulate(trial.scene, make_method(method, StepOptions{.dt = trial.dt}), options);
-    take_note(trial.scene, outcome, evidence);
-    evidence.expected = *trial.impacts;
-    evidence.missed = std::max<std::int64_t>(0, *trial.impacts - outcome.counts.impacts);
-    evidence.invented = std::max<std::int64_t>(0, outcome.counts.impacts - *trial.impacts);
-    // All energy is that of the height at the start, m g h = 8.
-    const std::vector<BodyState> start = initial_states(trial.scene);
-    note_figure(evidence, std::abs(energy_difference(trial.scene, outcome.final, start)) / (gravity * 1.0), "energy");
+    take_note(scene, outcome, evidence);
+    evidence.expected = impacts;
+    evidence.missed = std::max<std::int64_t>(0, impacts - outcome.counts.impacts);
+    evidence.invented = std::max<std::int64_t>(0, outcome.counts.impacts - impacts);
+    note_figure(evidence, std::abs(energy_difference(scene, outcome.final, initial_states(scene))) / gravity, "");
     return evidence;
 }
 
@@ -100,9 +95,10 @@ Case drift()
     c.figure = "change of its energy relative to m g h";
     c.limit = 0.01;
     c.exact_limit = 1e-11;
-    c.step = "1/240 s, 1/120 of the time of the fall";
+    c.step = "1/240 s, 1/108 of the time of the fall";
     c.why[Symptom::energy] =
         "every bounce, found up to a step late, changes the energy a little, and the changes add up";
+    c.why[Symptom::sank] = "a ball still inside the floor a step after its bounce is turned back into it and falls on";
     c.why[Symptom::missed] = c.why[Symptom::invented] = c.why[Symptom::energy];
     c.measure = measure_drift;
     return c;

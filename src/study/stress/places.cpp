@@ -107,7 +107,7 @@ Case far_origin()
     c.exact_limit = 0;
     c.step = "1/240 of the time in which a sphere moves by 1 m";
     c.why[Symptom::late] =
-        "a double at 1e9 m comes in steps of 1.2e-7 m, and every impact multiplies an error by about 10";
+        "a double at 1e9 m comes in steps of 1.2e-7 m, and every impact multiplies an error by 10 to 20";
     c.measure = measure_origin;
     return c;
 }

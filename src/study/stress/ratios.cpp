@@ -1,8 +1,7 @@
 #include "study/stress/scenes.hpp"
+#include "study/stress/shuttle.hpp"
 #include "study/stress/trial.hpp"
 #include "study/stress/two_spheres.hpp"
-
-#include <utility>
 
 namespace carom::stress {
 
@@ -21,8 +20,7 @@ Trial head_on(const std::string& label, double mass_a, double mass_b)
     return trial;
 }
 
-/// A light sphere rests before a wall, a heavy one closes in: the light one runs to and fro ever faster. Impact by
-/// impact in extended precision.
+/// A light sphere rests before a wall, a heavy one closes in: the light one runs to and fro ever faster.
 Trial squeeze()
 {
     constexpr double end = 0.9375;  // the heavy sphere starts with 1 m of room, and keeps this much less
@@ -31,34 +29,7 @@ Trial squeeze()
     add_sphere(trial.scene, {.radius = radius, .mass = light, .position = {0.625, 0, 0}});
     add_sphere(trial.scene,
                {.radius = radius, .mass = heavy, .position = {1 + 3 * radius, 0, 0}, .velocity = {-1, 0, 0}});
-    using Real = long double;
-    // Of the light sphere's left surface and, in the same coordinate, of the heavy one where both touch.
-    Real x = 0.5L, v = 0, y = 1, w = -1, now = 0;
-    std::int64_t impacts = 0;
-    constexpr int most = 10000;
-    for (; impacts < most; ++impacts) {
-        const Real to_wall = v < 0 ? -x / v : 2 * Real(end), to_heavy = v > w ? (y - x) / (v - w) : 2 * Real(end);
-        const Real dt = to_wall < to_heavy ? to_wall : to_heavy;
-        if (!(now + dt <= end)) break;
-        now += dt;
-        x += v * dt;
-        y += w * dt;
-        if (to_wall < to_heavy) {
-            v = -v;
-        } else {
-            const Real closing = v - w;
-            v -= 2 * Real(heavy) / (Real(heavy) + light) * closing;
-            w += 2 * Real(light) / (Real(heavy) + light) * closing;
-        }
-    }
-    x += v * (end - now);
-    y += w * (end - now);
-    const auto state = [](BodyId body, Real place, Real speed) {
-        const Vec3 velocity(static_cast<double>(speed), 0, 0);
-        return ExpectedState{body, {static_cast<double>(place), 0, 0}, velocity, radius, velocity.norm()};
-    };
-    trial.states = {state(0, x + radius, v), state(1, y + 3 * radius, w)};
-    trial.impacts = impacts;
+    expect_shuttle(trial);
     return trial;
 }
 
