@@ -48,6 +48,12 @@ struct ExplainArguments {
     std::vector<std::string> set;  ///< "/pointer=value"
 };
 
+struct StressArguments {
+    GivenOptions given;  ///< methods
+    std::string only;    ///< name of a case; empty: all
+    std::string out;     ///< folder for stress.csv and stress.json; may be empty
+};
+
 struct ReportArguments {
     std::vector<std::string> folders;
     std::string out;  ///< HTML file; empty: FOLDER/report.html for one folder, out/report.html for several
@@ -61,7 +67,7 @@ struct ScenesArguments {
     std::vector<std::string> validate;  ///< scenes to validate; empty: the catalogue
 };
 
-enum class Command { run, compare, check, explain, report, scenes };
+enum class Command { run, compare, check, explain, stress, report, scenes };
 
 struct Arguments {
     GlobalArguments global;
@@ -70,6 +76,7 @@ struct Arguments {
     CompareArguments compare;
     CheckArguments check;
     ExplainArguments explain;
+    StressArguments stress;
     ReportArguments report;
     ScenesArguments scenes;
 };

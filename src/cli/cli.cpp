@@ -30,6 +30,8 @@ int dispatch(const Arguments& arguments, const Console& console)
             return do_check(arguments.check, arguments.global, console);
         case Command::explain:
             return do_explain(arguments.explain, arguments.global, console);
+        case Command::stress:
+            return do_stress(arguments.stress, arguments.global, console);
         case Command::report:
             return do_report(arguments.report, arguments.global, console);
         case Command::scenes:

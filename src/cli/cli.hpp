@@ -17,6 +17,7 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
 int do_compare(const CompareArguments& args, const GlobalArguments& global, const Console& console);
 int do_check(const CheckArguments& args, const GlobalArguments& global, const Console& console);
 int do_explain(const ExplainArguments& args, const GlobalArguments& global, const Console& console);
+int do_stress(const StressArguments& args, const GlobalArguments& global, const Console& console);
 int do_report(const ReportArguments& args, const GlobalArguments& global, const Console& console);
 int do_scenes(const ScenesArguments& args, const GlobalArguments& global, const Console& console);
 

@@ -120,6 +120,19 @@ void define_explain(CLI::App& app, ExplainArguments& explain)
         "  carom explain gas_1000 --json");
 }
 
+void define_stress(CLI::App& app, StressArguments& stress)
+{
+    add_given(app, stress.given, "--methods", "LIST", "Methods to put to the test [all]");
+    app.add_option("--case", stress.only, "Only this case [all]")->type_name("NAME");
+    app.add_option("-o,--out", stress.out, "Write DIR/stress.csv and DIR/stress.json")->type_name("DIR");
+    app.footer(
+        "Examples:\n"
+        "  carom stress\n"
+        "  carom stress --methods event,pbd --case grazing\n"
+        "  carom stress -o out/stress --json\n"
+        "Exit: 0 event passes, 4 it fails a case, 2 usage, 130 interrupted.");
+}
+
 void define_report(CLI::App& app, ReportArguments& report)
 {
     app.add_option("folders", report.folders, "Folders that compare wrote")->required()->type_name("DIR...");
@@ -195,6 +208,8 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     define_check(*check, arguments.check);
     CLI::App* explain = app.add_subcommand("explain", "What a scene needs, and which kernel runs it");
     define_explain(*explain, arguments.explain);
+    CLI::App* stress = app.add_subcommand("stress", "Stiff and extreme cases: who passes, and why others fail");
+    define_stress(*stress, arguments.stress);
     CLI::App* report = app.add_subcommand("report", "One self-contained page of one or more comparisons");
     define_report(*report, arguments.report);
     CLI::App* scenes = app.add_subcommand("scenes", "The catalogue of scenes");
@@ -203,7 +218,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     const auto global_help = [](CLI::App* command) {
         command->footer(command->get_footer() + "\nEverywhere: --json, -q, -v, --no-progress, --seed N (see carom -h)");
     };
-    for (CLI::App* command : {run, compare, check, explain, report, scenes}) global_help(command);
+    for (CLI::App* command : {run, compare, check, explain, stress, report, scenes}) global_help(command);
 
     try {
         app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them last first
@@ -216,14 +231,15 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
         const bool unknown =
             result.exit_code != exit_ok && !args.empty() && !args[0].starts_with("-") && app.get_subcommands().empty();
         if (unknown)
-            result.err =
-                "carom: unknown command \"" + args[0] + "\" (take run, compare, check, explain, report or scenes)\n";
+            result.err = "carom: unknown command \"" + args[0] +
+                         "\" (take run, compare, check, explain, stress, report or scenes)\n";
         return result;
     }
     arguments.command = run->parsed()       ? Command::run
                         : compare->parsed() ? Command::compare
                         : check->parsed()   ? Command::check
                         : explain->parsed() ? Command::explain
+                        : stress->parsed()  ? Command::stress
                         : report->parsed()  ? Command::report
                                             : Command::scenes;
     result.arguments = std::move(arguments);

@@ -2,7 +2,10 @@
 /// Results as text for people.
 #pragma once
 
+#include "study/stress/stress.hpp"
+
 #include <carom/checks.hpp>
+#include <carom/study.hpp>
 
 #include <string>
 #include <vector>
@@ -20,5 +23,8 @@ std::string check_table(const Scene& scene, const std::string& name, const Check
 
 /// A comparison, one row a line, then the verdict.
 std::string compare_table(const Scene& scene, const Comparison& comparison);
+
+/// Cases by methods, then each case with its rule and why methods fail it.
+std::string stress_table(const stress::Report& report);
 
 }  // namespace carom::cli

@@ -20,7 +20,7 @@ struct Series {
     double first_flight() const { return 2 * normal_speed / gravity; }
     double duration() const { return first_flight() / (1 - restitution); }
     /// Of the first and highest flight [length].
-    double height() const { return normal_speed * normal_speed / (2 * gravity); }
+    double height() const { return 0.5 * normal_speed * (normal_speed / gravity); }
 };
 
 /// Somewhere inside a series.

@@ -1,6 +1,7 @@
 #include "flight/flight.hpp"
 
 #include "math/error_free.hpp"
+#include "math/length.hpp"
 
 namespace carom {
 
@@ -8,11 +9,11 @@ Accelerations::Accelerations(const Scene& scene) : has_gravity_(!scene.gravity.i
 {
     if (!has_gravity_) return;
     table_.push_back(scene.gravity);
-    const double g = std::sqrt(scene.gravity.squaredNorm());
+    const double g = length(scene.gravity);
     for (const auto& plane : scene.planes) {
         Vec3 along = scene.gravity - scene.gravity.dot(plane.normal) / plane.normal.squaredNorm() * plane.normal;
         // A level floor must not make what rests on it creep at the rounding of its normal.
-        if (std::sqrt(along.squaredNorm()) <= 8 * unit_roundoff * g) along = Vec3::Zero();
+        if (length(along) <= 8 * unit_roundoff * g) along = Vec3::Zero();
         table_.push_back(along);
     }
 }

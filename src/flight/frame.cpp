@@ -1,6 +1,7 @@
 #include "flight/frame.hpp"
 
 #include "core/expect.hpp"
+#include "math/length.hpp"
 
 #include <algorithm>
 
@@ -53,7 +54,7 @@ Frame make_frame(const Scene& scene)
     Frame frame;
     if (scene.spheres.empty()) return frame;
     const double extent = std::sqrt((high - low).squaredNorm()) + r_min;
-    const double fall = std::sqrt(2 * std::sqrt(scene.gravity.squaredNorm()) * extent);
+    const double fall = std::sqrt(2 * length(scene.gravity) * extent);
     const double speed = std::sqrt(twice_energy / m_min) + fall;  // the lightest sphere may end up with all the energy
     const double shortest = scene.end_time * 0x1p-50;             // so that the end of the run stays countable
     const double wanted = speed > 0 ? r_min / speed : scene.end_time;

@@ -1,5 +1,7 @@
 #include <carom/scene.hpp>
 
+#include "math/length.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +54,7 @@ RestThresholds rest_thresholds(const Scene& scene)
         }
         speed2 /= static_cast<double>(scene.spheres.size());
     }
-    const double g = std::sqrt(scene.gravity.squaredNorm());
+    const double g = length(scene.gravity);
     RestThresholds t{};
     if (g > 0) {
         t.closing_speed = std::sqrt(2 * g * 1e-5 * r_min);

@@ -18,13 +18,13 @@ for folder in "$src"/*/; do
             echo "$file:$line: $folder may not include $target"
             bad=1
         fi
-    done < <(grep -nH '#include "[a-z_]*/' "$src/$folder"/*.?pp 2>/dev/null | sed "s|$src/|src/|")
+    done < <(grep -rnH --include='*.?pp' '#include "[a-z_]*/' "$src/$folder" 2>/dev/null | sed "s|$src/|src/|")
     # The stepping methods and the reference must not lean on the event engine, nor the reference on anything above math.
     case $folder in
     stepping) forbidden='"(toi|broad|queue|impact|contact|flight)/' ;;
     reference) forbidden='"(flight|toi|broad|stepping|queue|impact|contact|event_driven)/' ;;
     *) continue ;;
     esac
-    if grep -nHE "#include $forbidden" "$src/$folder"/*.?pp; then echo "src/$folder: must stay independent"; bad=1; fi
+    if grep -rnHE --include='*.?pp' "#include $forbidden" "$src/$folder"; then echo "src/$folder: must stay independent"; bad=1; fi
 done
 exit $bad

@@ -53,6 +53,11 @@ TEST_CASE("options are read where the contract puts them, global ones anywhere",
     CHECK(compare.compare.given.at("methods") == "event,pbd");
     CHECK(compare.global.no_progress);
     CHECK(parsed({"report", "a", "b", "-o", "c.html"}).report.folders == std::vector<std::string>{"a", "b"});
+    const Arguments stress = parsed({"stress", "--methods", "event", "--case", "zeno", "-o", "x"});
+    CHECK(stress.command == Command::stress);
+    CHECK(stress.stress.given.at("methods") == "event");
+    CHECK(stress.stress.only == "zeno");
+    CHECK(stress.stress.out == "x");
     CHECK(parsed({"scenes"}).scenes.show.empty());
     CHECK(parsed({"scenes", "list"}).command == Command::scenes);
     CHECK(parsed({"scenes", "show", "ball"}).scenes.show == "ball");
@@ -64,6 +69,7 @@ TEST_CASE("help and version succeed on stdout, at every level and with examples"
                                                                                       {"run", "-h"},
                                                                                       {"compare", "--help"},
                                                                                       {"report", "-h"},
+                                                                                      {"stress", "-h"},
                                                                                       {"scenes", "-h"},
                                                                                       {"scenes", "list", "-h"},
                                                                                       {"scenes", "show", "-h"}}) {
@@ -123,9 +129,9 @@ TEST_CASE("scenes lists without a word, and validates any number", "[arguments]"
 TEST_CASE("what belongs to later versions is refused and not in the help", "[arguments]")
 {
     std::string help = parse_arguments({"-h"}).out;
-    for (const char* command : {"run", "compare", "scenes"}) help += parse_arguments({command, "-h"}).out;
-    for (const char* word : {"tunnel", "stress", "verify", "view", "export", "query", "toi", "--certified", "--impact",
-                             "--guard", "--save-state", "--equilibrate", "moreau", "penalty"}) {
+    for (const char* command : {"run", "compare", "stress", "scenes"}) help += parse_arguments({command, "-h"}).out;
+    for (const char* word : {"tunnel", "verify", "view", "export", "query", "toi", "--certified", "--impact", "--guard",
+                             "--save-state", "--equilibrate", "moreau", "penalty"}) {
         CAPTURE(word);
         CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
         const bool option = word[0] == '-';

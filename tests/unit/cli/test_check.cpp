@@ -88,7 +88,7 @@ TEST_CASE("check exits with 1 where a run ends unresolved and nothing fails, wit
     CHECK_THAT(open.out, Contains("open: no_overlap: the run ended unresolved at t = 1"));
     CHECK_THAT(open.err, Contains("several contacts"));
     args[3] = R"(/checks=[{"type": "no_overlap"}, {"type": "event_count", "count": 0, "abs": 0}])";
-    CHECK(carom_tool(args).code == exit_failed);  // no impact was counted before the jam
+    CHECK(carom_tool(args).code == exit_failed);       // no impact was counted before the jam
     args.insert(args.begin() + 1, {"bouncing_ball"});  // where the three fall on the floor before that: counted
     CHECK(carom_tool(args).code == exit_check_failed);
 }

@@ -157,3 +157,24 @@ TEST_CASE("scenes are listed and shown", "[cli]")
     CHECK(json::parse(carom_tool({"scenes", "show", folder / "ball.json", "--json"}).out)["name"] == "Ball");
     CHECK(json::parse(carom_tool({"scenes", "--json"}).out)["scenes"].is_array());
 }
+
+TEST_CASE("stress says who passes and why others fail, in a table, as JSON and in files", "[cli]")
+{
+    const Folder folder;
+    const Said table = carom_tool({"stress", "--methods", "event,naive", "--case", "ulp_gap", "-o", folder / "s"});
+    CHECK(table.code == exit_ok);
+    CHECK_THAT(table.out, Contains("ulp_gap  pass") && Contains("FAIL") && Contains("naive: made ") &&
+                              Contains("passed if") && Contains("event passes 1 of 1, naive passes 0 of 1"));
+    CHECK_THAT(folder.read("s/stress.csv"), Contains("ulp_gap,event,true,") && Contains("ulp_gap,naive,false,"));
+    const json data = json::parse(folder.read("s/stress.json"));
+    CHECK(data["format"] == "carom-stress/1");
+    CHECK(data["event_passes"] == true);
+    CHECK(data["cases"][0]["results"][1]["symptom"] == "invented");
+    CHECK(json::parse(carom_tool({"stress", "--json", "--methods", "pbd", "--case", "speed"}).out)["cases"].size() ==
+          1);
+
+    const Said unknown = carom_tool({"stress", "--case", "grasing"});
+    CHECK(unknown.code == exit_usage);
+    CHECK_THAT(unknown.err, Contains("grazing"));
+    CHECK(carom_tool({"stress", "--methods", "magic"}).code == exit_usage);
+}

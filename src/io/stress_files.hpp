@@ -1,0 +1,19 @@
+/// \file
+/// The stress report as stress.csv and stress.json.
+#pragma once
+
+#include "study/stress/stress.hpp"
+
+#include <string>
+
+namespace carom::io {
+
+inline constexpr const char* stress_csv_header = "case,method,passed,figure,limit,symptom,worst,reason,cpu_seconds";
+
+/// Header and a line for each case and method. A figure that is not finite is an empty field.
+std::string stress_csv(const stress::Report& report);
+
+/// Format carom-stress/1, indented. A figure that is not finite is null.
+std::string stress_json(const stress::Report& report);
+
+}  // namespace carom::io
