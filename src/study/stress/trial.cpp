@@ -21,8 +21,7 @@ bool is_between(const Event& event, const ExpectedImpact& impact)
            std::max(event.a, event.b) == std::max(impact.a, impact.b);
 }
 
-/// Relative to the larger of the kinetic energies. Squares of tiny speeds underflow, so all speeds are taken relative
-/// to the largest.
+/// Relative to the larger of the kinetic energies.
 double energy_change(const Scene& scene, std::span<const BodyState> start, std::span<const BodyState> end)
 {
     const double scale = std::max(kinetic_energy(scene, start), kinetic_energy(scene, end));
