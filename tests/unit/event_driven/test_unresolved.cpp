@@ -137,6 +137,29 @@ TEST_CASE("an inelastic sphere squeezed between two others ends unresolved, not 
     require_unresolved(scene, {"s1"});
 }
 
+TEST_CASE("many impacts of one sphere in a short time accumulate, and that is said long before they are a tie")
+{
+    // A light ball between the floor and a heavy one that comes down: thousands of bounces in a millisecond.
+    Scene scene = empty_scene(1, Vec3::Zero(), 0.99);
+    scene.rest.numeric_step = 1e-2;
+    add_floor(scene);
+    add_sphere(scene, 0.1, {0, 0, 0.1005}, Vec3::Zero(), 1e-6);
+    add_sphere(scene, 0.1, {0, 0, 0.301}, {0, 0, -1}, 1e6);
+    const Outcome outcome = require_unresolved(scene, {"s0", "accumulate"});
+    CHECK(outcome.counts.impacts > 90);
+    CHECK(outcome.counts.impacts < 300);
+}
+
+TEST_CASE("a sphere that slides to rest at a second plane is unresolved")
+{
+    Scene scene = empty_scene(3, earth, 0);
+    add_floor(scene);
+    add_plane(scene, "wall", -Vec3::UnitX(), -2);
+    add_sphere(scene, 0.5, {0, 0, 0.5}, {1, 0, 0});
+    const Outcome outcome = require_unresolved(scene, {"s0", "wall", "second plane"});
+    CHECK(outcome.time == Approx(1.5));
+}
+
 TEST_CASE("a heap that settles ends unresolved with names")
 {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
