@@ -6,6 +6,7 @@
 #include <carom/error.hpp>           // IWYU pragma: export
 #include <carom/event.hpp>           // IWYU pragma: export
 #include <carom/features.hpp>        // IWYU pragma: export
+#include <carom/flight.hpp>          // IWYU pragma: export
 #include <carom/method.hpp>          // IWYU pragma: export
 #include <carom/scene.hpp>           // IWYU pragma: export
 #include <carom/simulate.hpp>        // IWYU pragma: export

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <carom/event.hpp>
+#include <carom/flight.hpp>
 #include <carom/method.hpp>
 #include <carom/scene.hpp>
 
@@ -47,6 +48,10 @@ struct RunOptions {
 struct Observer {
     std::vector<double> sample_times;  ///< ascending, in [0, until], since the start [time]
     std::function<void(const Event&)> on_event;
+    std::function<void(const RunFrame&)> on_frame;  ///< once, before anything else; event-driven runs only
+    /// Each flight as it begins, those of the start in body order; at one time, events come before the flights that
+    /// they begin. Event-driven runs only.
+    std::function<void(const FlightRecord&)> on_flight;
     /// k-th sample time; states in body order, valid during the call.
     std::function<void(std::size_t k, double time, std::span<const BodyState>)> on_sample;
     /// Called now and then with the time reached [time]; false stops the run with Status::interrupted.

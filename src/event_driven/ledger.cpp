@@ -12,6 +12,38 @@ Ledger::Ledger(const State& state, const Kernel& kernel, const Observer& observe
     out.plane_impulses.assign(state.scene.planes.size(), 0);
 }
 
+void Ledger::show_frame(const State& state) const
+{
+    if (!observer_.on_frame) return;
+    RunFrame frame{state.frame.epoch_length, state.frame.cell_size, {}};
+    for (AccelerationId id = 0; id < state.accelerations.count(); ++id)
+        frame.accelerations.push_back(state.accelerations[id]);
+    observer_.on_frame(frame);
+}
+
+void Ledger::show_flight(const State& state, BodyId body) const
+{
+    if (!observer_.on_flight) return;
+    const Flight& f = state.flight(body);
+    FlightRecord record;
+    record.body = body;
+    record.start = f.start;
+    for (std::size_t k = 0; k < 3; ++k) {
+        record.cell[k] = f.place.cell[k];
+        record.local[k] = f.place.local[k];
+        record.velocity[k] = f.velocity[static_cast<Eigen::Index>(k)];
+    }
+    record.acceleration = f.acceleration;
+    record.support = f.support;
+    record.mode = f.mode;
+    if (f.mode == Mode::series) {
+        const Series& s = state.series.at(body);
+        record.series =
+            SeriesRecord{s.normal_speed, s.gravity, s.restitution, s.tangential, s.velocity, s.acceleration};
+    }
+    observer_.on_flight(record);
+}
+
 void Ledger::report(const State& state, const EpochTime& now, Event event)
 {
     event.at = now;

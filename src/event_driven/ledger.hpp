@@ -15,6 +15,9 @@ public:
 
     /// Record an event that happens at `now`.
     void report(const State& state, const EpochTime& now, Event event);
+    /// Show the observer what the run consists of, and each flight as it begins.
+    void show_frame(const State& state) const;
+    void show_flight(const State& state, BodyId body) const;
     /// Add what a plane has carried since the body's flight began, from the balance of normal momentum. Call before the
     /// flight changes.
     void account_for_support(const State& state, BodyId body, const EpochTime& now);

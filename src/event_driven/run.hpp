@@ -65,6 +65,8 @@ private:
             state_.flights[static_cast<std::size_t>(change.body)] = change.flight;
             ledger_.out.rest_times[static_cast<std::size_t>(change.body)] = 0.0;
         }
+        ledger_.show_frame(state_);
+        for (BodyId i = 0; i < state_.count(); ++i) ledger_.show_flight(state_, i);
         return state_;
     }
 
@@ -77,6 +79,7 @@ private:
         for (const Change& change : resolution.changes) commit(change, resolution.series);
         ledger_.out.max_penetration = std::max(ledger_.out.max_penetration, resolution.penetration);
         for (const Event& event : resolution.events) ledger_.report(state_, now_, event);
+        for (const Change& change : resolution.changes) ledger_.show_flight(state_, change.body);
         for (const Change& change : resolution.changes)
             schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
         return limits(key, resolution);

@@ -21,6 +21,7 @@ public:
     AccelerationId free() const { return has_gravity_ ? 1 : none; }
     AccelerationId along(int plane) const { return has_gravity_ ? plane + 2 : none; }
 
+    AccelerationId count() const { return static_cast<AccelerationId>(table_.size()); }
     bool has_gravity() const { return has_gravity_; }
     const Vec3& operator[](AccelerationId id) const { return table_[static_cast<std::size_t>(id)]; }
 
