@@ -22,7 +22,7 @@ public:
     std::uint64_t value() const { return hash_; }
 
 private:
-    static std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x); }
+    static std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
     void word(std::uint64_t w) { hash_ = (hash_ ^ w) * 0x100000001b3u; }
 
     std::uint64_t hash_ = 0xcbf29ce484222325u;

@@ -12,19 +12,14 @@ class ImpactRate {
 public:
     explicit ImpactRate(const State& state) : recent_(state.flights.size()) {}
 
-    /// Count an event; true if it is one too many.
-    bool accumulates(const State& state, const Key& key, const Resolution& resolution)
+    /// Count an impact of `body`; true if it is one too many.
+    bool accumulates(const State& state, const Key& impact, BodyId body)
     {
-        if (resolution.events.empty() || resolution.events.front().kind != EventKind::impact || is_elastic(state, key))
-            return false;
-        bool too_many = false;
-        for (const Change& change : resolution.changes) {
-            Recent& recent = recent_[static_cast<std::size_t>(change.body)];
-            if (recent.count == 0 || state.frame.between(recent.since, key.time) > state.rest.numeric_step)
-                recent = {key.time, 0};
-            too_many = ++recent.count > bound || too_many;
-        }
-        return too_many;
+        if (is_elastic(state, impact)) return false;
+        Recent& recent = recent_[static_cast<std::size_t>(body)];
+        if (recent.count == 0 || state.frame.between(recent.since, impact.time) > state.rest.numeric_step)
+            recent = {impact.time, 0};
+        return ++recent.count > bound;
     }
 
 private:

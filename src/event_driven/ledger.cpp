@@ -21,9 +21,8 @@ void Ledger::show_frame(const State& state) const
     observer_.on_frame(frame);
 }
 
-void Ledger::show_flight(const State& state, BodyId body) const
+FlightRecord Ledger::record_of(const State& state, BodyId body)
 {
-    if (!observer_.on_flight) return;
     const Flight& f = state.flight(body);
     FlightRecord record;
     record.body = body;
@@ -41,34 +40,32 @@ void Ledger::show_flight(const State& state, BodyId body) const
         record.series =
             SeriesRecord{s.normal_speed, s.gravity, s.restitution, s.tangential, s.velocity, s.acceleration};
     }
-    observer_.on_flight(record);
+    return record;
+}
+
+void Ledger::show(Event event) const
+{
+    event.time = Frame{out.epoch_length, 1}.seconds(event.at);
+    observer_.on_event(event);
 }
 
 void Ledger::report(const State& state, const EpochTime& now, Event event)
 {
     event.at = now;
-    event.time = state.frame.seconds(now);
     const auto a = static_cast<std::size_t>(event.a);
-    switch (event.kind) {
-        case EventKind::impact:
-            ++out.counts.impacts;
-            if (state.is_plane(event.b))
-                out.plane_impulses[static_cast<std::size_t>(state.plane_index(event.b))] +=
-                    event.impulse.dot(event.normal);
-            break;
-        case EventKind::rest:
-            ++out.counts.rests;
-            out.rest_times[a] = event.time;
-            break;
-        case EventKind::release:
-            ++out.counts.releases;
-            out.rest_times[a].reset();
-            break;
-        case EventKind::guard:
-            break;
+    if (event.kind == EventKind::impact) {
+        ++out.counts.impacts;
+        if (state.is_plane(event.b))
+            out.plane_impulses[static_cast<std::size_t>(state.plane_index(event.b))] += event.impulse.dot(event.normal);
+    } else if (event.kind == EventKind::rest) {
+        ++out.counts.rests;
+        out.rest_times[a] = state.frame.seconds(now);
+    } else if (event.kind == EventKind::release) {
+        ++out.counts.releases;
+        out.rest_times[a].reset();
     }
     hash_.add(event);
-    if (observer_.on_event) observer_.on_event(event);
+    if (observer_.on_event) show(event);
 }
 
 void Ledger::account_for_support(const State& state, BodyId body, const EpochTime& now)

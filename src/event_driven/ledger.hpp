@@ -7,17 +7,32 @@
 
 #include <carom/features.hpp>
 
+#include <algorithm>
+
 namespace carom {
 
 class Ledger {
 public:
     Ledger(const State& state, const Kernel& kernel, const Observer& observer);
 
+    /// Record the impact of a sphere on a plane, at event.at.
+    void report_bounce(const Event& impact, std::size_t plane, double penetration)
+    {
+        ++out.counts.impacts;
+        out.plane_impulses[plane] += impact.impulse.dot(impact.normal);
+        out.max_penetration = std::max(out.max_penetration, penetration);
+        hash_.add(impact);
+        if (observer_.on_event) show(impact);
+    }
     /// Record an event that happens at `now`.
     void report(const State& state, const EpochTime& now, Event event);
     /// Show the observer what the run consists of, and each flight as it begins.
     void show_frame(const State& state) const;
-    void show_flight(const State& state, BodyId body) const;
+    bool shows_flights() const { return static_cast<bool>(observer_.on_flight); }
+    void show_flight(const State& state, BodyId body) const
+    {
+        if (observer_.on_flight) observer_.on_flight(record_of(state, body));
+    }
     /// Add what a plane has carried since the body's flight began, from the balance of normal momentum. Call before the
     /// flight changes.
     void account_for_support(const State& state, BodyId body, const EpochTime& now);
@@ -28,6 +43,9 @@ public:
     Outcome out;
 
 private:
+    void show(Event event) const;
+    static FlightRecord record_of(const State& state, BodyId body);
+
     const Observer& observer_;
     EventHash hash_;
 };

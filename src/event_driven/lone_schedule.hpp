@@ -1,8 +1,12 @@
 /// \file
-/// Prediction for one sphere among planes: no queue, no broad phase, no stamps.
+/// One sphere among planes: no queue, no broad phase, no stamps of partners, and its commonest event carried out on the
+/// spot.
 #pragma once
 
+#include "event_driven/ledger.hpp"
+#include "event_driven/low_bounce.hpp"
 #include "event_driven/predict_planes.hpp"
+#include "impact/pair_law.hpp"
 
 #include <span>
 
@@ -16,13 +20,32 @@ public:
 
     LoneSchedule(const State& state, BroadPhase, Counts& counts)
     {
-        if (state.count() > 0) flight_changed(state, 0, {}, counts);
+        if (state.count() == 0) return;
+        for (std::size_t p = 0; p < state.scene.planes.size(); ++p) {
+            const Plane& plane = state.scene.planes[p];
+            plates_ = plates_ || plane.thickness;
+            walls_.push_back(
+                {plane.normal, plane.offset, plane.normal.dot(state.accelerations[state.accelerations.free()]),
+                 state.laws.plane(state.sphere(0).material, plane.material), p, state.scene.plane_body(p)});
+        }
+        flight_changed(state, 0, {}, counts);
     }
 
     const Next& next() const { return next_; }
     void flight_changed(const State& state, BodyId body, const EpochTime&, Counts& counts)
     {
         next_.key = first_of_planes<true>(state, moving(state, body), counts);
+    }
+
+    /// Bounce after bounce that leaves the sphere flying, the commonest events of all, are no more than this loop. The
+    /// same bits as `resolve`, which is to be asked where more is going on: another contact, a support, a plate, rest,
+    /// a low bounce. \param last carry out nothing after it \param most how many \returns how many were carried out;
+    /// it stops after one that loses energy
+    int bounces(State& state, const EpochTime& last, int most, Ledger& ledger)
+    {
+        if (plates_ || next_.key.kind != Scheduled::plane_impact || state.flights[0].support >= 0) return 0;
+        return walls_.size() == 1 ? bounces_among<true>(state, last, most, ledger)
+                                  : bounces_among<false>(state, last, most, ledger);
     }
 
     // What a single sphere has no use for.
@@ -32,7 +55,123 @@ public:
     std::span<const BodyId> neighbours(BodyId) const { return {}; }
 
 private:
+    struct Wall {
+        Vec3 normal;
+        double offset;   ///< [length]
+        double gravity;  ///< along the normal [length/time^2]
+        ContactLaw law;
+        std::size_t index;
+        BodyId body;
+    };
+    struct Contact {
+        EpochTime time;
+        const Wall* wall;  ///< null if none
+        double h, w;       ///< height and its rate when the flight began [length], [length/time]
+    };
+
+    /// As height_above.
+    static double height(const Frame& frame, const Wall& wall, const Place& place, double radius)
+    {
+        const Sum sum = signed_height(frame, wall.normal, wall.offset, place);
+        const Sum gap = two_sum(sum.high, -radius);
+        return gap.high + (gap.low + sum.low);
+    }
+
+    bool another_closes(const Frame& frame, const Wall& wall, const Place& place, const Vec3& velocity, double radius,
+                        double tie) const
+    {
+        for (const Wall& other : walls_)
+            if (&other != &wall && other.normal.dot(velocity) < 0 && height(frame, other, place, radius) <= tie)
+                return true;
+        return false;
+    }
+
+    static Contact contact(const Frame& frame, const Flight& f, double radius, const Wall& wall)
+    {
+        return {never, &wall, height(frame, wall, f.place, radius), wall.normal.dot(f.velocity)};
+    }
+
+    template <bool alone>
+    [[gnu::flatten]] int bounces_among(State& state, const EpochTime& last, int most, Ledger& ledger)
+    {
+        const Frame frame = state.frame;
+        const Vec3 acceleration = state.accelerations[state.accelerations.free()];
+        const double radius = state.radius(0), tie = tie_fraction * radius, mass = 1 / state.inverse_mass(0),
+                     scale = radius + frame.cell_size;
+        Flight f = state.flights[0];
+        Contact next = contact(frame, f, radius, walls_[static_cast<std::size_t>(state.plane_index(next_.key.b))]);
+        next.time = next_.key.time;
+        bool began_at_impact = state.stamps[0] > 0;
+        const Wall& only = walls_.front();
+        int done = 0;
+        while (done < most && next.wall && next.time <= last) {
+            const Wall& wall = alone ? only : *next.wall;
+            const Vec3 normal = wall.normal;
+            const bool inelastic = wall.law.restitution < 1;
+            // Closed and closing already when the flight began: it belongs to the event before it. (Not a wall that it
+            // has just bounced off.)
+            if (!(alone && done > 0) && next.w < 0 && next.h <= tie && began_at_impact) break;
+
+            const double dt = frame.between(f.start, next.time);
+            const Place place = moved(frame, f.place, displacement(f.velocity, acceleration, dt));
+            const Vec3 before = f.velocity + dt * acceleration;
+            if (!alone && another_closes(frame, wall, place, before, radius, tie)) break;
+            Contact again{never, &wall, height(frame, wall, place, radius), 0};
+            if (!(normal.dot(before) < 0)) break;
+            const Vec3 change = velocity_change(before, normal, wall.law), after = before + change;
+            again.w = normal.dot(after);
+            if (again.w < 0 || is_rest(scale, after, again.w, -wall.gravity) ||
+                (inelastic && is_low(state, 0, again.w, -wall.gravity, wall.law)))
+                break;
+
+            f.start = next.time;
+            f.place = place;
+            f.velocity = after;
+            began_at_impact = true;
+            ++done;
+            ledger.report_bounce({EventKind::impact, f.start, 0, 0, wall.body, normal, mass * change}, wall.index,
+                                 -again.h);
+            if (ledger.shows_flights()) {
+                state.flights[0] = f;
+                ledger.show_flight(state, 0);
+            }
+            next = first_contact<alone>(frame, f, radius, again, ledger.out.counts);
+            if (inelastic) break;
+        }
+        if (done == 0) return 0;
+        state.flights[0] = f;
+        state.stamps[0] += static_cast<std::uint32_t>(done);
+        next_.key = next.wall ? Key{next.time, Scheduled::plane_impact, 0, next.wall->body} : Key{};
+        ledger.out.counts.pair_tests += done * static_cast<std::int64_t>(walls_.size());
+        return done;
+    }
+
+    /// As first_of_planes. \param known the contact with one wall, but for its time
+    template <bool alone>
+    Contact first_contact(const Frame& frame, const Flight& f, double radius, const Contact& known,
+                          Counts& counts) const
+    {
+        Contact best{never, nullptr, 0, 0};
+        const auto offer = [&](const Contact& c) {
+            const Root root = plane_root(c.h, c.w, c.wall->gravity);
+            if (root.kind == RootKind::none) return;
+            ++counts.root_solves;
+            const EpochTime time = frame.after(f.start, root.t);
+            if (!(time < best.time)) return;
+            best = c;
+            best.time = time;
+        };
+        if (known.w < 0 || known.wall->gravity < 0) offer(known);
+        if constexpr (alone) return best;
+        for (const Wall& wall : walls_)
+            if (&wall != known.wall && (wall.normal.dot(f.velocity) < 0 || wall.gravity < 0))
+                offer(contact(frame, f, radius, wall));
+        return best;
+    }
+
     Next next_;
+    std::vector<Wall> walls_;
+    bool plates_ = false;  ///< some wall is one: none of the short ways then
 };
 
 }  // namespace carom

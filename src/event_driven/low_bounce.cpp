@@ -1,27 +1,11 @@
 #include "event_driven/low_bounce.hpp"
 
 #include "event_driven/motion.hpp"
-#include "math/error_free.hpp"
 #include "toi/sphere_plane.hpp"
 
 #include <cmath>
 
 namespace carom {
-
-bool is_rest(const State& state, BodyId body, const Flight& flight, double w, double gravity)
-{
-    constexpr double u = unit_roundoff;
-    // w^2/g, in an order that stays within doubles however weak gravity is.
-    if (gravity > 0) return w * (w / gravity) <= 2 * 16 * u * (state.radius(body) + state.frame.cell_size);
-    if (gravity < 0) return false;
-    return w <= 8 * u * std::sqrt(flight.velocity.squaredNorm());
-}
-
-bool is_low(const State& state, BodyId body, double w, double gravity, const ContactLaw& law)
-{
-    return law.restitution < 1 && gravity > 0 &&
-           w * (w / gravity) < 2 * state.scene.rest.series_below * state.radius(body);
-}
 
 Series make_series(const State& state, const Flight& flight, int plane, double w, double gravity, const ContactLaw& law)
 {

@@ -36,28 +36,6 @@ Swept swept_ball(const State& state, const Moving& m)
     return ball;
 }
 
-/// n.x - d of a plane: a dot product in twice the working precision (Ogita, Rump, Oishi, SIAM J. Sci. Comput. 26
-/// (2005), Dot2).
-DoubleDouble signed_height(const Frame& frame, const Plane& plane, const Place& place)
-{
-    Sum sum{-plane.offset, 0};
-    const auto add = [&](double n, double x) {
-        const Sum product = two_product(n, x), next = two_sum(sum.high, product.high);
-        sum = {next.high, sum.low + (next.low + product.low)};
-    };
-    for (int k = 0; k < 3; ++k) {
-        if (plane.normal[k] == 0) continue;  // most planes lie along the axes
-        add(plane.normal[k], static_cast<double>(place.cell[k]) * frame.cell_size);
-        add(plane.normal[k], place.local[k]);
-    }
-    return two_sum(sum.high, sum.low);
-}
-
-DoubleDouble half_thickness(const Plane& plane)
-{
-    return plane.thickness.value_or(0) / 2;
-}
-
 }  // namespace
 
 namespace {
@@ -120,21 +98,6 @@ Root pair_root(const State& state, const PairMotion& m)
     if (m.acceleration_a == m.acceleration_b) return sphere_sphere_root(m.r, m.v, m.contact_distance);
     const Vec3 a = state.accelerations[m.acceleration_a] - state.accelerations[m.acceleration_b];
     return sphere_sphere_accelerated_root({m.r, m.v, a, m.contact_distance});
-}
-
-double height_above(const State& state, BodyId body, int p, const Place& place)
-{
-    const Plane& plane = state.plane(p);
-    DoubleDouble height = signed_height(state.frame, plane, place);
-    if (plane.thickness) height = abs(height) - half_thickness(plane);
-    return static_cast<double>(height - DoubleDouble(state.radius(body)));
-}
-
-Vec3 facing_normal(const State& state, int p, const Place& place)
-{
-    const Plane& plane = state.plane(p);
-    if (plane.thickness && signed_height(state.frame, plane, place).high < 0) return -plane.normal;
-    return plane.normal;
 }
 
 PlaneMotion plane_motion(const State& state, const Moving& sphere, int p)

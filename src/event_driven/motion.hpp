@@ -3,6 +3,7 @@
 /// concerned: whoever asks, and whenever, gets the same bits.
 #pragma once
 
+#include "event_driven/height.hpp"
 #include "event_driven/state.hpp"
 #include "toi/root.hpp"
 
@@ -37,7 +38,6 @@ struct PlaneMotion {
     double h, w, g;  ///< height above contact, its rate and acceleration [length], [length/time], [length/time^2]
 };
 PlaneMotion plane_motion(const State& state, const Moving& sphere, int plane);
-
 /// A plane that is no plate, and no speed towards it when the flight began: quick answers before a height is measured.
 inline bool recedes_at_start(const State& state, const Flight& flight, int plane)
 {
@@ -54,11 +54,6 @@ inline bool recedes(const State& state, const Moving& sphere, int plane)
            (f.acceleration == Accelerations::none ||
             state.plane(plane).normal.dot(state.accelerations[f.acceleration]) >= 0);
 }
-
-/// The normal of a plane on the side where the place is: plates have two.
-Vec3 facing_normal(const State& state, int plane, const Place& place);
-/// Height of a sphere's surface above a plane, by a compensated sum [length].
-double height_above(const State& state, BodyId body, int plane, const Place& place);
 
 /// The body's flight as if it began at `now`: same path, place and velocity of that moment. A series becomes the flight
 /// between two of its bounces in which the body is.

@@ -35,16 +35,16 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     out.unresolved = why_coupled(state, key, f, neighbourhood);
     if (!out.unresolved.empty()) return out;
 
-    const Vec3 normal = facing_normal(state, plane, f.place);
     const ContactLaw& law = state.laws.plane(sphere.material, state.plane(plane).material);
-    const double gravity = -normal.dot(state.accelerations[f.acceleration]);  // > 0 presses
+    const Vec3 normal = facing_normal(state, plane, f.place);
     out.penetration = std::max(0.0, -height_above(state, id, plane, f.place));
+    const double gravity = -normal.dot(state.accelerations[f.acceleration]);  // > 0 presses
 
     Event impact{EventKind::impact, {}, 0, id, key.b, normal, Vec3::Zero()};
     if (normal.dot(f.velocity) < 0) {
-        const PairImpact after = resolve_pair({f.velocity, 1 / sphere.mass}, {}, normal, law);
-        f.velocity = after.velocity_a;
-        impact.impulse = after.impulse;
+        const Vec3 change = velocity_change(f.velocity, normal, law);
+        f.velocity += change;
+        impact.impulse = (1 / state.inverse_mass(id)) * change;
     }
     out.events.push_back(impact);
     const SupportAfterImpact support = keep_to_support(state, f);
@@ -59,7 +59,7 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     for (int i = 0; i < most_nudges && normal.dot(f.velocity) < 0; ++i, nudge *= 2) f.velocity += nudge * normal;
 
     const double w = normal.dot(f.velocity);
-    const bool rests = is_rest(state, id, f, w, gravity);
+    const bool rests = is_rest(state.radius(id) + state.frame.cell_size, f.velocity, w, gravity);
     if (rests && f.support >= 0) {
         out.unresolved = state.scene.body_name(id) + " comes to rest on a second plane, " +
                          state.scene.body_name(key.b) + ": contact with several planes is not resolved yet";

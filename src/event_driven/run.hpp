@@ -74,6 +74,11 @@ private:
     {
         now_ = key.time;
         show_samples_before(now_);
+        if constexpr (requires { &Schedule::bounces; })
+            if (schedule_.bounces(state_, horizon(), bounces_at_once(), ledger_) > 0) {
+                now_ = state_.flights[0].start;
+                return limits(key, rate_.accumulates(state_, {now_, key.kind, key.a, key.b}, key.a));
+            }
         const Resolution resolution = resolve(state_, key, neighbourhood_);
         if (!resolution.unresolved.empty()) return stop(Status::unresolved, resolution.unresolved);
         for (const Change& change : resolution.changes) commit(change, resolution.series);
@@ -82,7 +87,23 @@ private:
         for (const Change& change : resolution.changes) ledger_.show_flight(state_, change.body);
         for (const Change& change : resolution.changes)
             schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
-        return limits(key, resolution);
+        bool accumulate = false;
+        if (!resolution.events.empty() && resolution.events.front().kind == EventKind::impact)
+            for (const Change& change : resolution.changes)
+                accumulate = rate_.accumulates(state_, key, change.body) || accumulate;
+        return limits(key, accumulate);
+    }
+
+    /// Nothing but an event changes what an observer would see until then.
+    EpochTime horizon() const
+    {
+        if (next_sample_ == observer_.sample_times.size()) return end_;
+        return std::min(end_, state_.frame.after({}, observer_.sample_times[next_sample_]));
+    }
+
+    int bounces_at_once() const
+    {
+        return static_cast<int>(std::min<std::int64_t>(256, options_.max_events - ledger_.events()));
     }
 
     void commit(const Change& change, const Series& series)
@@ -95,11 +116,11 @@ private:
         ++state_.stamps[static_cast<std::size_t>(change.body)];
     }
 
-    Status limits(const Key& key, const Resolution& resolution)
+    Status limits(const Key& key, bool accumulate)
     {
         if (ledger_.events() >= options_.max_events)
             return stop(Status::event_limit, "the limit of " + std::to_string(options_.max_events) + " events");
-        if (rate_.accumulates(state_, key, resolution))
+        if (accumulate)
             return stop(Status::unresolved,
                         "impacts of " + state_.scene.body_name(key.a) + " and " + state_.scene.body_name(key.b) +
                             " accumulate: coming to rest on spheres or on several planes is not resolved yet");

@@ -20,11 +20,9 @@ double power_of_two_below(double x)
     return std::ldexp(1.0, std::max(exponent - 1, -1000));
 }
 
-EpochTime Frame::after(const EpochTime& from, double dt) const
+EpochTime Frame::in_later_epoch(const EpochTime& from, double dt) const
 {
     CAROM_EXPECT(dt >= 0);
-    const double sum = from.offset + dt;
-    if (sum < epoch_length) return {from.epoch, sum};
     if (!(dt < furthest * epoch_length)) return never;
     // dt is split exactly; only the addition of the two rests rounds.
     const double whole = std::floor(dt / epoch_length);
@@ -68,28 +66,17 @@ Place place_at(const Frame& frame, const Vec3& position)
     return moved(frame, Place{}, position);
 }
 
-Place moved(const Frame& frame, const Place& from, const Vec3& displacement)
+void put_into_cell(const Frame& frame, Place& place, int k, double sum)
 {
-    Place to = from;
-    for (int k = 0; k < 3; ++k) {
-        const double sum = from.local[k] + displacement[k];
-        if (sum >= 0 && sum < frame.cell_size) {
-            to.local[k] = sum;
-            continue;
-        }
-        const double whole = std::floor(sum / frame.cell_size);
-        if (!(std::abs(whole) < furthest)) {
-            to.local[k] = sum;
-            continue;
-        }
-        to.cell[k] += static_cast<std::int64_t>(whole);
-        to.local[k] = sum - whole * frame.cell_size;  // exact, but for a negative sum below the resolution
-        if (to.local[k] >= frame.cell_size) {
-            to.local[k] = 0;
-            ++to.cell[k];
-        }
+    place.local[k] = sum;
+    const double whole = std::floor(sum / frame.cell_size);
+    if (!(std::abs(whole) < furthest)) return;
+    place.cell[k] += static_cast<std::int64_t>(whole);
+    place.local[k] = sum - whole * frame.cell_size;  // exact, but for a negative sum below the resolution
+    if (place.local[k] >= frame.cell_size) {
+        place.local[k] = 0;
+        ++place.cell[k];
     }
-    return to;
 }
 
 Vec3 position_of(const Frame& frame, const Place& place)

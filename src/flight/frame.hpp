@@ -28,10 +28,17 @@ struct Frame {
 
     /// from + dt, dt >= 0; rounds to the resolution of an offset, u * epoch_length. Never if dt is infinite or beyond
     /// 2^62 epochs.
-    EpochTime after(const EpochTime& from, double dt) const;
+    EpochTime after(const EpochTime& from, double dt) const
+    {
+        const double sum = from.offset + dt;
+        return sum < epoch_length ? EpochTime{from.epoch, sum} : in_later_epoch(from, dt);
+    }
 
     /// Seconds since the start, rounded to a double [time].
     double seconds(const EpochTime& t) const { return static_cast<double>(t.epoch) * epoch_length + t.offset; }
+
+private:
+    EpochTime in_later_epoch(const EpochTime& from, double dt) const;
 };
 
 /// Epoch: short enough that u * epoch_length * (highest speed that the energy allows) stays below u * smallest radius;
@@ -46,8 +53,19 @@ struct Place {
 
 /// Exact, unless a coordinate is beyond 2^62 cells.
 Place place_at(const Frame& frame, const Vec3& position);
+/// local[k] = sum, in whatever cell that is.
+void put_into_cell(const Frame& frame, Place& place, int k, double sum);
 /// Move by a displacement and renormalise; rounds to u (|displacement| + cell_size).
-Place moved(const Frame& frame, const Place& from, const Vec3& displacement);
+inline Place moved(const Frame& frame, const Place& from, const Vec3& displacement)
+{
+    Place to = from;
+    for (int k = 0; k < 3; ++k) {
+        const double sum = from.local[k] + displacement[k];
+        to.local[k] = sum;
+        if (!(sum >= 0 && sum < frame.cell_size)) put_into_cell(frame, to, k, sum);
+    }
+    return to;
+}
 /// Rounded to doubles [length].
 Vec3 position_of(const Frame& frame, const Place& place);
 
