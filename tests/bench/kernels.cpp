@@ -2,6 +2,7 @@
 /// One run of one kernel, to be counted by callgrind: `carom_kernels CASE KERNEL`. tests/bench/kernels makes the table.
 #include "bounce_by_hand.hpp"
 
+#include <carom/io.hpp>
 #include <carom/simulate.hpp>
 
 #include <cstdio>
@@ -12,13 +13,32 @@ namespace {
 
 using carom::Scene;
 
+carom::Sphere sphere(const std::string& id, double radius, const carom::Vec3& position, const carom::Vec3& velocity)
+{
+    carom::Sphere s;
+    s.id = id;
+    s.radius = radius;
+    s.position = position;
+    s.velocity = velocity;
+    return s;
+}
+
+carom::Plane plane(const std::string& id, const carom::Vec3& normal, double offset)
+{
+    carom::Plane p;
+    p.id = id;
+    p.normal = normal;
+    p.offset = offset;
+    return p;
+}
+
 /// A ball on a floor, e = 1, a little more than `impacts` impacts.
 Scene bounce(int impacts)
 {
     Scene scene;
     scene.gravity = {0, 0, -9.81};
-    scene.spheres.push_back({.id = "ball", .radius = 0.1, .position = {0, 0, 1.1}, .velocity = {0.2, 0, 0}});
-    scene.planes.push_back({.id = "floor", .normal = {0, 0, 1}, .offset = 0});
+    scene.spheres.push_back(sphere("ball", 0.1, {0, 0, 1.1}, {0.2, 0, 0}));
+    scene.planes.push_back(plane("floor", {0, 0, 1}, 0));
     scene.end_time = (impacts + 0.5) * 2 * std::sqrt(2 / 9.81);
     return scene;
 }
@@ -30,13 +50,14 @@ Scene gas()
     const int n = 12;
     for (int i = 0; i < n * n * n; ++i) {
         const carom::Vec3 site(i % n, i / n % n, i / (n * n));
+        const carom::Vec3 shift(i * 11 % 19 - 9.1, i * 13 % 23 - 11.2, i * 7 % 29 - 14.3);  // no two contacts at once
         const carom::Vec3 stir(i * 7 % 13 - 6, i * 5 % 11 - 5, i * 3 % 17 - 8);
-        scene.spheres.push_back({.id = "s" + std::to_string(i), .radius = 0.3, .position = site, .velocity = stir / 6});
+        scene.spheres.push_back(sphere("s" + std::to_string(i), 0.3, site + shift / 300, stir / 6));
     }
     for (int axis = 0; axis < 3; ++axis) {
         const carom::Vec3 e = carom::Vec3::Unit(axis);
-        scene.planes.push_back({.id = "low" + std::to_string(axis), .normal = e, .offset = -0.5});
-        scene.planes.push_back({.id = "high" + std::to_string(axis), .normal = -e, .offset = -(n - 0.5)});
+        scene.planes.push_back(plane("low" + std::to_string(axis), e, -0.5));
+        scene.planes.push_back(plane("high" + std::to_string(axis), -e, -(n - 0.5)));
     }
     scene.end_time = 2;
     return scene;
@@ -45,8 +66,8 @@ Scene gas()
 Scene make(std::string_view name)
 {
     if (name == "one_ball" || name == "by_hand" || name == "plain_by_hand") return bounce(1'000'000);
+    if (name == "gas_1000") return carom::read_scene(carom::find_scene("gas_1000", CAROM_SCENE_DIR));
     Scene scene = gas();
-    if (name == "gas") return scene;
     scene.gravity = {0, 0, -9.81};
     if (name == "gas_with_gravity") return scene;
     for (std::size_t i = 0; i < scene.spheres.size(); i += 10) {
