@@ -54,9 +54,7 @@ std::string drift_text(const RunStudy& run)
     const double gain = run.final_energy - run.initial_energy;
     if (!std::isfinite(gain)) return "BLEW UP: no longer a finite number";
     if (gain > rounding * run.max_kinetic_energy)
-        return fmt::format(
-            "GREW by {:.4g}, {} of the largest kinetic energy (no contact gives energy: this run is wrong)", gain,
-            three_digits(gain / run.max_kinetic_energy));
+        return fmt::format("GREW by {:.4g} (no contact gives energy: this run is wrong)", gain);
     return run.max_relative_drift ? figure(run.max_relative_drift) : "- (contacts take energy)";
 }
 

@@ -60,19 +60,15 @@ std::string enough_text(const VerdictWords& words, const StepBracket& found, std
     return text;
 }
 
-/// The largest step that holds although a smaller one does not, and that smaller one.
-std::string lucky_text(const VerdictWords& words, const CompareRow& lucky, const Rows& rows)
+/// The next smaller step that does not hold.
+const CompareRow* failing_below(const CompareRow& row, const Rows& rows, double tolerance)
 {
     const CompareRow* fails = nullptr;
-    for (const CompareRow* row : rows)
-        if (*row->dt < *lucky.dt && !holds(*row, words.comparison().tolerance) &&
-            (fails == nullptr || *row->dt > *fails->dt))
-            fails = row;
-    std::string text =
-        "dt = " + VerdictWords::setting(lucky) + " keeps within " + words.tolerance() + " (" + words.cost(lucky) + ")";
-    if (fails != nullptr)
-        text += ", but by luck: the smaller " + VerdictWords::setting(*fails) + " " + words.fault(*fails);
-    return text;
+    for (const CompareRow* each : rows)
+        if (*each->dt < *row.dt && each->substeps == row.substeps && each->passes == row.passes &&
+            !holds(*each, tolerance) && (fails == nullptr || *each->dt > *fails->dt))
+            fails = each;
+    return fails;
 }
 
 }  // namespace
@@ -132,24 +128,28 @@ std::string method_sentence(const VerdictWords& words, const std::string& method
         if (holds(*row, tolerance) && (lucky == nullptr || *row->dt > *lucky->dt)) lucky = row;
     }
     const StepBracket found = step_bracket(words.comparison(), method);
+    const CompareRow* fails = lucky == nullptr ? nullptr : failing_below(*lucky, rows, tolerance);
     const auto price = [&](const CompareRow& row) {
         return words.length(*verdict_error(row)) + " at dt = " + VerdictWords::setting(row) + ", " + words.cost(row);
     };
     std::string text = method + words.while_known() + ": ";
     if (found.enough != nullptr)
         text += enough_text(words, found, rows.size());
-    else if (lucky != nullptr)
-        text += lucky_text(words, *lucky, rows);
+    else if (fails != nullptr)
+        text += "dt = " + VerdictWords::setting(*lucky) + " keeps within " + words.tolerance() + " (" +
+                words.cost(*lucky) + "), but the smaller " + VerdictWords::setting(*fails) + " " + words.fault(*fails) +
+                ": no step tried is safe";
     else if (best == nullptr)
         text += "no step tried gave a finite answer to the end";
     else if (*verdict_error(*best) <= tolerance)
         text += "no step tried keeps within " + words.tolerance() + " without missing an impact (" + price(*best) + ")";
     else
         text += "no step tried keeps within " + words.tolerance() + " (best " + price(*best) + ")";
-    if (blind != nullptr && blind != found.too_far)
+    const CompareRow* told = found.enough != nullptr ? found.too_far : fails;
+    if (blind != nullptr && blind != told)
         text += "; it misses " + VerdictWords::share(lost_impacts(*blind), *blind) +
                 " at dt = " + VerdictWords::setting(*blind);
-    if (blown != nullptr && best != nullptr && blown != found.too_far)
+    if (blown != nullptr && best != nullptr && blown != told)
         text += "; at dt = " + VerdictWords::setting(*blown) + " it " + words.fault(*blown);
     return text + ".";
 }
