@@ -13,8 +13,8 @@ const char* const compare_legend =
     "max error: farthest that a sphere is from the reference at any of 200 sample times; at end: at the last of them\n"
     "energy err: most that the energy is off at a sample time, of the reference's largest kinetic energy\n"
     "overlap: deepest, for a stepper before it corrects; jitter: rms speed of what rests in the reference\n"
-    "late: impacts that come more than 3 steps early or late; missed, invented: that never come, that should not\n"
-    "      (missed_impacts in compare.csv is late + missed)\n"
+    "late: impacts that come more than 3 steps early or late; missed: that never come (compare.csv adds the two)\n"
+    "invented: impacts that the reference does not have within 3 steps, the late ones among them\n"
     "diverges: when a sphere is first off by 0.01 of the smallest radius; impacts are counted up to then\n"
     "CPU: median of the repeats; x event: that over the event run's\n";
 

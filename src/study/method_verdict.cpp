@@ -53,7 +53,9 @@ std::string enough_text(const VerdictWords& words, const StepBracket& found, std
     if (row.mistimed_impacts > 0)
         text +=
             ", and " + VerdictWords::share(row.mistimed_impacts, row) + " come late (more than 3 steps early or late)";
-    if (row.invented_impacts > 0) text += ", and it invents " + std::to_string(row.invented_impacts);
+    // A late impact is one that the reference does not have there: it is counted as invented, too.
+    if (row.invented_impacts > row.mistimed_impacts)
+        text += ", and it invents " + std::to_string(row.invented_impacts - row.mistimed_impacts);
     if (found.too_far == nullptr) return text;
     text += "; the next larger, " + VerdictWords::setting(*found.too_far) + ", " + words.fault(*found.too_far);
     if (*found.too_far->dt > fine * *row.dt) text += " (to close in, try " + finer_range(*found.too_far, row) + ")";

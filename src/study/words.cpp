@@ -69,7 +69,13 @@ std::string step_text(double dt)
         std::string fraction = "1/" + std::to_string(static_cast<long long>(steps));
         if (fraction.size() < decimal.size()) return fraction;
     }
-    return rounded ? significant(dt, digits) : decimal;
+    if (!rounded) return decimal;
+    const std::string plain = significant(dt, digits);
+    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, dt);
+    const auto last = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::strtod(buffer.data(), nullptr),
+                                    std::chars_format::scientific);
+    const std::string power = short_exponent(std::string(buffer.data(), last.ptr));
+    return power.size() < plain.size() ? power : plain;
 }
 
 std::string length_text(double value, const std::string& unit)
