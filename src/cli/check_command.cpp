@@ -61,6 +61,8 @@ int do_check(const CheckArguments& args, const GlobalArguments& global, const Co
         if (!global.json) console.out << check_table(task.scene, task.file.stem().string(), report);
         if (outcome.status != Status::reached_end && !global.quiet)
             print_error(console, fmt::format("{}: {}: {}", task.file.string(), name(outcome.status), outcome.message));
+        if (const std::string advice = unresolved_advice(outcome); !advice.empty() && !global.quiet)
+            print_note(console, task.file.string() + ": " + advice);
         checked.push_back({task.file.stem().string(), task.scene.name, report});
     }
     if (global.json) console.out << io::check_json(checked);

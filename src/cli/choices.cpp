@@ -2,6 +2,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "cli/lists.hpp"
+#include "io/problems.hpp"
 
 #include <carom/error.hpp>
 #include <carom/features.hpp>
@@ -43,7 +44,10 @@ std::string known_method(const std::string& word)
     const std::vector<std::string>& known = method_names();
     if (std::find(known.begin(), known.end(), word) != known.end()) return word;
     if (word == "moreau" || word == "penalty") throw std::invalid_argument(word + ": not yet");
-    throw std::invalid_argument(fmt::format("unknown method \"{}\" (take {})", word, fmt::join(known, ", ")));
+    const std::string near = io::nearest(word, known);
+    throw std::invalid_argument(fmt::format("unknown method \"{}\" ({}take {})", word,
+                                            near.empty() ? "" : "did you mean \"" + near + "\"? ",
+                                            fmt::join(known, ", ")));
 }
 
 }  // namespace
@@ -86,7 +90,8 @@ std::vector<double> Choices::numbers(const std::string& name, std::vector<double
 {
     return read(name, std::move(otherwise), [](const std::string& text) {
         std::vector<double> values = parse_list(text);
-        for (const double value : values) positive(value, text);
+        for (const double value : values)
+            if (!(value > 0)) throw std::invalid_argument(fmt::format("{} in \"{}\" must be > 0", value, text));
         return values;
     });
 }

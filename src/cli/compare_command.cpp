@@ -2,17 +2,47 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/notes.hpp"
 #include "cli/page_files.hpp"
 #include "cli/progress.hpp"
 #include "cli/tables.hpp"
 #include "io/compare_files.hpp"
 #include "report/page_data.hpp"
+#include "study/words.hpp"
 
 #include <carom/io.hpp>
 
 #include <ostream>
 
 namespace carom::cli {
+
+namespace {
+
+/// A run that failed counts more than one that met a limit.
+int worst_exit(const Comparison& comparison)
+{
+    int worst = exit_ok;
+    for (const CompareRow& row : comparison.rows) {
+        const int code = exit_code(row.status);
+        if (code == exit_failed || worst == exit_ok) worst = code;
+    }
+    return worst;
+}
+
+void tell_what_stopped(const Comparison& comparison, const Console& console)
+{
+    for (const CompareRow& row : comparison.rows) {
+        if (row.status == Status::reached_end) continue;
+        const std::string run = row.method + (row.dt ? " at dt = " + study::step_text(*row.dt) : "");
+        print_error(console, run + ": " + name(row.status) + (row.message.empty() ? "" : ": " + row.message));
+        Outcome outcome;
+        outcome.status = row.status;
+        outcome.time = row.time;
+        if (const std::string advice = unresolved_advice(outcome); !advice.empty()) print_note(console, advice);
+    }
+}
+
+}  // namespace
 
 int do_compare(const CompareArguments& args, const GlobalArguments& global, const Console& console)
 {
@@ -22,6 +52,9 @@ int do_compare(const CompareArguments& args, const GlobalArguments& global, cons
     const std::filesystem::path folder = args.out.empty()
                                              ? std::filesystem::path("out") / ("compare-" + file.stem().string())
                                              : std::filesystem::path(args.out);
+
+    if (!global.quiet)
+        for (const std::string& each : unused_materials(scene, args.set)) print_note(console, each);
 
     const InterruptGuard guard;
     ProgressLine progress(console, global);
@@ -43,7 +76,8 @@ int do_compare(const CompareArguments& args, const GlobalArguments& global, cons
     if (!global.json)
         for (const char* each : {"compare.csv", "compare.json", "report.html"})
             console.out << (folder / each).string() << '\n';
-    return comparison.interrupted ? exit_interrupted : exit_ok;
+    if (!global.quiet) tell_what_stopped(comparison, console);
+    return comparison.interrupted ? static_cast<int>(exit_interrupted) : worst_exit(comparison);
 }
 
 }  // namespace carom::cli

@@ -14,6 +14,11 @@ void print_error(const Console& console, const std::string& text)
     console.err << (console.color ? "\033[31mcarom:\033[0m " : "carom: ") << text << '\n';
 }
 
+void print_note(const Console& console, const std::string& text)
+{
+    console.err << "carom: note: " << text << '\n';
+}
+
 void write_file(const std::filesystem::path& file, const std::string& text)
 {
     std::error_code error;

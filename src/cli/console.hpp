@@ -18,6 +18,9 @@ struct Console {
 /// "carom: TEXT", the name in red on a terminal.
 void print_error(const Console& console, const std::string& text);
 
+/// "carom: note: TEXT": what is no error but should be known.
+void print_note(const Console& console, const std::string& text);
+
 /// Writes `text` beside `file` and renames it, so that an interrupted write leaves no half file. Makes the folders.
 /// \throws InputError if that cannot be done
 void write_file(const std::filesystem::path& file, const std::string& text);

@@ -1,9 +1,10 @@
 #include "cli/arguments.hpp"
+#include "cli/define.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/tables.hpp"
+#include "cli/usage_error.hpp"
 
 #include <carom/method.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -57,7 +58,10 @@ void define_run(CLI::App& app, RunArguments& run)
     add_given(app, run.given, "--until", "T", "End of the run, counted from its start [the scene's end_time]");
     add_given(app, run.given, "--max-events", "N", "Stop after so many events, or steps of a discrete method [1e9]");
     add_given(app, run.given, "--max-seconds", "S", "Stop after so many seconds on the clock");
-    app.add_option("--events", run.events, "Write the events to this file")->type_name("FILE.csv");
+    app.add_option("--events", run.events,
+                   "Write the events to this file; times exact: the shortest text of the same double, or all digits if "
+                   "it is none")
+        ->type_name("FILE.csv");
     app.add_flag("--final", run.always_final, "Write final states of more than 1000 spheres too");
     add_scene_options(app, run.allow_overlap, run.set);
     app.add_option("-o,--out", run.out, "Write DIR/run.json")->type_name("DIR");
@@ -67,7 +71,8 @@ void define_run(CLI::App& app, RunArguments& run)
         "  carom run bouncing_ball --method pbd --dt 1/240 --json\n"
         "  carom run gas_1000 --until 1 --events gas.csv -o out/gas\n"
         "  carom run bouncing_ball --set /materials/rubber/restitution=0.5 --set /spheres/0/position=[0,0,2.1]\n"
-        "Exit: 0 end reached, 1 run failed, 2 usage, 3 bad scene, 5 a limit was reached, 130 interrupted.");
+        "Exit: 0 end reached, 1 run failed or unresolved, 2 usage, 3 bad scene, 5 a limit was reached, 130 "
+        "interrupted.");
 }
 
 void define_compare(CLI::App& app, CompareArguments& compare)
@@ -83,15 +88,21 @@ void define_compare(CLI::App& app, CompareArguments& compare)
     add_step_options(app, compare.given);
     add_given(app, compare.given, "--until", "T", "End of the runs, counted from their start [the scene's end_time]");
     add_given(app, compare.given, "--repeats", "K", "Runs for the time, of which the median counts [3]");
-    add_given(app, compare.given, "--tolerance", "X", "Position error that the verdict asks for [1 mm or 0.01 radius]");
+    add_given(app, compare.given, "--tolerance", "X",
+              "Position error that the verdict asks for [1 mm if fit, else 0.01 smallest radius]");
     add_scene_options(app, compare.allow_overlap, compare.set);
-    app.add_option("-o,--out", compare.out, "Folder for compare.csv, compare.json, report.html [out/compare-NAME]")
+    app.add_option("-o,--out", compare.out,
+                   "Folder for compare.csv, compare.json, report.html and page.json, its data [out/compare-NAME]")
         ->type_name("DIR");
     app.footer(
         "Examples:\n"
         "  carom compare bouncing_ball\n"
         "  carom compare bullet --methods event,pbd,bisection --dt 1e-5:1/60:log7 -o out/bullet\n"
-        "  carom compare incline --dt 1/60,1/240 --substeps 1,4 --tolerance 1e-4 --json");
+        "  carom compare incline --dt 1/60,1/240 --substeps 1,4 --tolerance 1e-4 --json\n"
+        "Columns of the table:\n" +
+        std::string(compare_legend) +
+        "Exit: 0 all runs reached the end, 1 one failed or is unresolved, 2 usage, 3 bad scene, 5 a limit was reached, "
+        "130 interrupted.");
 }
 
 void define_check(CLI::App& app, CheckArguments& check)
@@ -117,7 +128,8 @@ void define_explain(CLI::App& app, ExplainArguments& explain)
         "Says what a scene needs of the engine, which kernel and broad phase run it, what its reference is, and why.\n"
         "Examples:\n"
         "  carom explain bouncing_ball\n"
-        "  carom explain gas_1000 --json");
+        "  carom explain gas_1000 --json\n"
+        "Exit: 0 explained, 2 usage, 3 bad scene.");
 }
 
 void define_stress(CLI::App& app, StressArguments& stress)
@@ -140,31 +152,8 @@ void define_report(CLI::App& app, ReportArguments& report)
         ->type_name("F.html");
     app.footer(
         "Examples:\n"
-        "  carom report out/compare-bouncing_ball out/compare-bullet -o out/all.html");
-}
-
-void define_scenes(CLI::App& app, ScenesArguments& scenes)
-{
-    app.require_subcommand(0, 1);
-    CLI::App* list = app.add_subcommand("list", "The catalogue, one scene a line");
-    list->callback([&scenes] { scenes.action = ScenesAction::list; });
-    list->footer("Examples:\n  carom scenes list\n  carom scenes list --json");
-    CLI::App* show = app.add_subcommand("show", "What a scene contains");
-    show->callback([&scenes] { scenes.action = ScenesAction::show; });
-    show->add_option("scene", scenes.show, "Scene file, or a name of the catalogue")->required()->type_name("SCENE");
-    show->footer("Examples:\n  carom scenes show bouncing_ball\n  carom scenes show bouncing_ball --json");
-    CLI::App* validate = app.add_subcommand("validate", "Read scenes and say what is wrong with them");
-    validate->callback([&scenes] { scenes.action = ScenesAction::validate; });
-    validate->add_option("scenes", scenes.validate, "Scene files, or names of the catalogue [all of it]")
-        ->type_name("SCENE...");
-    validate->footer("Examples:\n  carom scenes validate\n  carom scenes validate my_scene.json --json");
-    CLI::App* schema = app.add_subcommand("schema", "The JSON schema of scene files, for editors");
-    schema->callback([&scenes] { scenes.action = ScenesAction::schema; });
-    schema->footer("Examples:\n  carom scenes schema > scene.schema.json");
-    app.footer(
-        "Examples:\n  carom scenes\n  carom scenes show bouncing_ball\n"
-        "Scenes are looked for in the folder that the environment names in CAROM_SCENES, by default the one of the "
-        "build.");
+        "  carom report out/compare-bouncing_ball out/compare-bullet -o out/all.html\n"
+        "Exit: 0 written, 2 usage, 3 a folder is none of compare's or the page cannot be written.");
 }
 
 void define_global(CLI::App& app, GlobalArguments& global)
@@ -177,7 +166,6 @@ void define_global(CLI::App& app, GlobalArguments& global)
     app.add_option("--seed", global.seed, "Seed of every random choice [the scene's]")->type_name("N");
     app.fallthrough();
     app.require_subcommand(1);
-    app.failure_message(CLI::FailureMessage::simple);
     app.footer(
         "Examples:\n"
         "  carom scenes\n"
@@ -226,13 +214,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
         std::ostringstream out, err;
         result.exit_code = app.exit(error, out, err) == 0 ? exit_ok : exit_usage;
         result.out = out.str();
-        result.err = err.str();
-        // CLI11 only says that a command is missing.
-        const bool unknown =
-            result.exit_code != exit_ok && !args.empty() && !args[0].starts_with("-") && app.get_subcommands().empty();
-        if (unknown)
-            result.err = "carom: unknown command \"" + args[0] +
-                         "\" (take run, compare, check, explain, stress, report or scenes)\n";
+        if (result.exit_code != exit_ok) result.err = usage_error(app, error, args);
         return result;
     }
     arguments.command = run->parsed()       ? Command::run

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <ostream>
 
 #ifndef CAROM_VERSION
@@ -32,6 +33,27 @@ std::string folder_data(const std::filesystem::path& folder)
 
 }  // namespace
 
+namespace {
+
+/// Comparisons of one scene get their folders into their titles: nobody could tell them apart otherwise.
+void tell_apart(const std::vector<std::string>& folders, std::vector<std::string>& comparisons)
+{
+    std::vector<nlohmann::ordered_json> parsed;
+    std::map<std::string, int> count;
+    for (const std::string& each : comparisons) {
+        parsed.push_back(nlohmann::ordered_json::parse(each));
+        ++count[parsed.back().value("title", "")];
+    }
+    for (std::size_t i = 0; i < parsed.size(); ++i) {
+        const std::string title = parsed[i].value("title", "");
+        if (count[title] < 2) continue;
+        parsed[i]["title"] = title + " (" + folders[i] + ")";
+        comparisons[i] = parsed[i].dump();
+    }
+}
+
+}  // namespace
+
 void write_page(const std::filesystem::path& file, const std::vector<std::string>& comparisons)
 {
     write_file(file, comparison_page(report::page_data(comparisons, std::string("carom ") + CAROM_VERSION)));
@@ -41,6 +63,7 @@ int do_report(const ReportArguments& args, const GlobalArguments& global, const 
 {
     std::vector<std::string> comparisons;
     for (const std::string& folder : args.folders) comparisons.push_back(folder_data(folder));
+    tell_apart(args.folders, comparisons);
     std::filesystem::path file = args.out;
     if (args.out.empty())
         file = std::filesystem::path(args.folders.size() == 1 ? args.folders.front() : "out") / "report.html";

@@ -2,6 +2,7 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/notes.hpp"
 #include "cli/progress.hpp"
 #include "cli/tables.hpp"
 #include "io/events_csv.hpp"
@@ -25,8 +26,10 @@ class EventsFile {
 public:
     EventsFile(const std::filesystem::path& file, const Scene& scene, const Method& method) : file_(file)
     {
-        std::error_code ignored;  // the open below tells
-        if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
+        // A slip in a path must not make folders.
+        if (std::error_code ignored;
+            file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), ignored))
+            throw InputError({file.string() + ": no such folder: " + file.parent_path().string() + " (make it first)"});
         stream_.open(file, std::ios::binary);
         csv_.emplace(stream_, scene, std::holds_alternative<EventDriven>(method));
         check();
@@ -70,6 +73,10 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
     const Scene scene = read_with_options(file, args.allow_overlap, args.set, global);
     const RunSettings settings = run_settings(args, global, scene, file.string());
     if (global.verbose) explain_settings(scene, file, settings, console);
+    if (!global.quiet) {
+        for (const std::string& each : ignored_options(args.given, settings.method)) print_note(console, each);
+        for (const std::string& each : unused_materials(scene, args.set)) print_note(console, each);
+    }
 
     std::optional<EventsFile> events;
     if (!args.events.empty()) events.emplace(args.events, scene, settings.method);
@@ -96,6 +103,8 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
         print_error(console, outcome.message.empty()
                                  ? fmt::format("{} at t = {:.10g}", name(outcome.status), outcome.time)
                                  : fmt::format("{}: {}", name(outcome.status), outcome.message));
+    const std::string advice = unresolved_advice(outcome);
+    if (!advice.empty() && !global.quiet) print_note(console, advice);
     return exit_code(outcome.status);
 }
 

@@ -1,3 +1,4 @@
+#include "cli/choices.hpp"
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/tables.hpp"
@@ -68,7 +69,10 @@ int validate(const std::vector<std::string>& wanted, const GlobalArguments& glob
     for (const std::filesystem::path& file : files) {
         std::vector<std::string> problems;
         try {
-            static_cast<void>(read_with_options(file, false, {}, global));
+            const Scene scene = read_with_options(file, false, {}, global);
+            // The defaults of commands as these will read them.
+            static_cast<void>(run_settings({}, global, scene, file.string()));
+            static_cast<void>(compare_settings({}, global, scene, file.string()));
         } catch (const InputError& error) {
             problems = error.problems();
         }

@@ -2,44 +2,20 @@
 
 #include "study/words.hpp"
 
+#include <carom/metrics.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace carom::cli {
 
 namespace {
 
 using study::seconds_text;
-using study::step_text;
-using study::two_digits;
-
-std::string with_unit(double value, const std::string& unit)
-{
-    return fmt::format("{:.10g}{}{}", value, unit.empty() ? "" : " ", unit);
-}
-
-std::string figure(const std::optional<double>& value)
-{
-    if (!value) return "-";
-    return std::isfinite(*value) ? two_digits(*value) : "inf";
-}
-
-std::string per_speed(const Units& units)
-{
-    return units.length.empty() || units.time.empty() ? "" : units.length + "/" + units.time;
-}
-
-std::string counted(std::size_t n, const char* what)
-{
-    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-}
-
-std::string bodies(const Scene& scene)
-{
-    return counted(scene.spheres.size(), "sphere") + ", " + counted(scene.planes.size(), "plane");
-}
+using study::three_digits;
 
 using Lines = std::vector<std::vector<std::string>>;
 
@@ -55,7 +31,78 @@ void add_rest_times(const Scene& scene, const Outcome& outcome, Lines& lines)
     if (listed > most) lines.push_back({"", fmt::format("and {} more", listed - most)});
 }
 
+/// Where and how fast a few spheres ended.
+void add_final(const Scene& scene, const Outcome& outcome, Lines& lines)
+{
+    constexpr std::size_t few = 10;
+    if (outcome.final.size() > few) return;
+    const auto vector = [](const Vec3& v) { return fmt::format("({:.7g}, {:.7g}, {:.7g})", v[0], v[1], v[2]); };
+    for (std::size_t i = 0; i < outcome.final.size(); ++i) {
+        const BodyState& state = outcome.final[i];
+        const bool still = state.velocity == Vec3::Zero();
+        lines.push_back({i == 0 ? "final" : "",
+                         fmt::format("{} at {}{}{}", scene.spheres[i].id, vector(scene.origin + state.position),
+                                     still ? "" : ", velocity " + vector(state.velocity),
+                                     state.mode == Mode::flying ? "" : std::string(", ") + name(state.mode))});
+    }
+}
+
+/// Contacts and flights keep energy or take it; what makes some is wrong.
+std::string drift_text(const RunStudy& run)
+{
+    constexpr double rounding = 1e-9;  // of the largest kinetic energy
+    const double gain = run.final_energy - run.initial_energy;
+    if (!std::isfinite(gain)) return "BLEW UP: no longer a finite number";
+    if (gain > rounding * run.max_kinetic_energy)
+        return fmt::format("GREW by {:.4g} (no contact gives energy: this run is wrong)", gain);
+    return run.max_relative_drift ? figure(run.max_relative_drift) : "- (contacts take energy)";
+}
+
+std::string escaped_text(const Scene& scene, const RunStudy& run)
+{
+    constexpr std::int64_t few = 10;
+    std::string names;
+    for (std::size_t i = 0; i < run.outcome.final.size() && run.escaped <= few; ++i)
+        if (escaped(scene, std::span(&run.outcome.final[i], 1)) > 0)
+            names += (names.empty() ? ": " : ", ") + scene.spheres[i].id;
+    return fmt::format("{} behind a plane or nowhere{}", run.escaped, names);
+}
+
 }  // namespace
+
+std::string figure(const std::optional<double>& value)
+{
+    if (!value) return "-";
+    return std::isfinite(*value) ? three_digits(*value) : "inf";
+}
+
+std::string counted(std::size_t n, const char* what)
+{
+    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::string bodies(const Scene& scene)
+{
+    return counted(scene.spheres.size(), "sphere") + ", " + counted(scene.planes.size(), "plane");
+}
+
+std::string with_unit(double value, const std::string& unit)
+{
+    return fmt::format("{:.10g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+std::string unresolved_advice(const Outcome& outcome)
+{
+    // Rounded down to three digits, so that a run to there ends before.
+    if (outcome.status != Status::unresolved || !(outcome.time > 0)) return "";
+    const double unit = std::pow(10.0, std::floor(std::log10(outcome.time)) - 2);
+    double before = std::floor(outcome.time / unit) * unit;
+    if (before >= outcome.time) before -= unit;
+    return fmt::format(
+        "what was computed up to there is valid: --until {:.4g} ends the run before it, or keep these bodies from "
+        "meeting at one instant",
+        before);
+}
 
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left)
 {
@@ -90,10 +137,10 @@ std::string run_table(const Scene& scene, const RunStudy& run)
     lines.push_back({"rests", fmt::format("{}", outcome.counts.rests)});
     add_rest_times(scene, outcome, lines);
     lines.push_back({"energy", fmt::format("{:.10g} -> {:.10g}", run.initial_energy, run.final_energy)});
-    lines.push_back({"energy drift", run.max_relative_drift ? figure(run.max_relative_drift)
-                                                            : std::string("- (contacts take energy)")});
+    lines.push_back({"energy drift", drift_text(run)});
     lines.push_back({"max penetration", study::length_text(run.max_penetration, units.length)});
-    if (run.escaped > 0) lines.push_back({"escaped", fmt::format("{}", run.escaped)});
+    if (run.escaped > 0) lines.push_back({"escaped", escaped_text(scene, run)});
+    add_final(scene, outcome, lines);
     lines.push_back({"CPU time", seconds_text(run.cpu_seconds)});
     return aligned(lines, 2);
 }
@@ -116,58 +163,6 @@ std::string check_table(const Scene& scene, const std::string& name, const Check
     if (outcome.status != Status::reached_end)
         head += fmt::format(", ended {} at t = {:.10g}", carom::name(outcome.status), outcome.time);
     return head + "\n" + aligned(lines, 2) + misses;
-}
-
-std::string compare_table(const Scene& scene, const Comparison& comparison)
-{
-    const ReferenceSummary& reference = comparison.reference;
-    const std::string& unit = scene.units.length;
-    std::string text =
-        fmt::format("{}: {}, to t = {}\n", scene.name, bodies(scene), with_unit(comparison.until, scene.units.time));
-    text += fmt::format("Reference: {}, bound {}{}\n\n", reference.kind, study::length_text(reference.bound, unit),
-                        reference.until < comparison.until
-                            ? fmt::format(", up to t = {:.6g} ({})", reference.until, reference.reason)
-                            : "");
-    const auto event =
-        std::find_if(comparison.rows.begin(), comparison.rows.end(), [](const CompareRow& r) { return !r.dt; });
-    const auto several = [&](std::optional<int> CompareRow::*member) {
-        return std::any_of(comparison.rows.begin(), comparison.rows.end(),
-                           [&](const CompareRow& r) { return (r.*member).value_or(1) != 1; });
-    };
-    const bool substeps = several(&CompareRow::substeps), passes = several(&CompareRow::passes);
-    std::vector<std::string> head{"method", "dt"};
-    if (substeps) head.push_back("substeps");
-    if (passes) head.push_back("passes");
-    const std::string of_length = unit.empty() ? "" : " [" + unit + "]";
-    const std::string speed = per_speed(scene.units);
-    for (const std::string& title :
-         {std::string("CPU"), std::string("x event"), "max error" + of_length, "at end" + of_length,
-          std::string("energy err"), "overlap" + of_length, std::string("missed"), std::string("invented"),
-          "jitter" + (speed.empty() ? "" : " [" + speed + "]"), std::string("diverges"), std::string("status")})
-        head.push_back(title);
-    Lines lines{head};
-    for (const CompareRow& row : comparison.rows) {
-        std::vector<std::string> line{row.method, row.dt ? step_text(*row.dt) : "-"};
-        if (substeps) line.push_back(row.substeps ? std::to_string(*row.substeps) : "-");
-        if (passes) line.push_back(row.passes ? std::to_string(*row.passes) : "-");
-        line.push_back(seconds_text(row.cpu_seconds));
-        line.push_back(event != comparison.rows.end() && event->cpu_seconds > 0
-                           ? two_digits(row.cpu_seconds / event->cpu_seconds)
-                           : "-");
-        line.push_back(figure(row.position_max));
-        line.push_back(figure(row.position_final_max));
-        line.push_back(figure(row.energy_error));
-        line.push_back(figure(row.max_penetration));
-        line.push_back(fmt::format("{}/{}", row.missed_impacts, row.reference_impacts));
-        line.push_back(std::to_string(row.invented_impacts));
-        line.push_back(figure(row.rest_jitter));
-        line.push_back(row.divergence_time ? fmt::format("{:.3g}", *row.divergence_time) : "-");
-        line.push_back(name(row.status));
-        lines.push_back(std::move(line));
-    }
-    text += aligned(lines, 2) + "\n";
-    for (const std::string& sentence : comparison.verdict) text += sentence + "\n";
-    return text;
 }
 
 }  // namespace carom::cli

@@ -15,13 +15,25 @@ namespace carom::cli {
 /// Rows of cells as aligned columns; the first row is the head, the first `left` columns are words.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left);
 
+// What tables share.
+std::string figure(const std::optional<double>& value);        ///< three digits; "-" for none
+std::string counted(std::size_t n, const char* what);          ///< "3 spheres"
+std::string bodies(const Scene& scene);                        ///< "3 spheres, 1 plane"
+std::string with_unit(double value, const std::string& unit);  ///< ten digits
+
+/// How to go on after a run that met something which it cannot resolve; empty for others.
+std::string unresolved_advice(const Outcome& outcome);
+
 /// A run in a dozen lines.
 std::string run_table(const Scene& scene, const RunStudy& run);
 
 /// The checks of a scene, one a line.
 std::string check_table(const Scene& scene, const std::string& name, const CheckReport& report);
 
-/// A comparison, one row a line, then the verdict.
+/// What the columns of `compare_table` mean, for the table and for the help.
+extern const char* const compare_legend;
+
+/// A comparison, one row a line, then what its columns mean, and the verdict.
 std::string compare_table(const Scene& scene, const Comparison& comparison);
 
 /// Cases by methods, then each case with its rule and why methods fail it.

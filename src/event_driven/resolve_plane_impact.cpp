@@ -17,10 +17,10 @@ namespace {
 std::string why_coupled(const State& state, const Key& key, const Flight& f, const Neighbourhood& neighbourhood)
 {
     if (belongs_to_previous_instant(state, key))
-        return several_contacts(pair_name(state, key.a, key.b), "the impact just before it");
+        return several_contacts(pair_name(state, key.a, key.b), "another impact has just moved one of them");
     const BodyId other = other_closing(state, f, key.a, key.b, neighbourhood);
     if (other == no_body) return {};
-    return several_contacts(pair_name(state, key.a, key.b), pair_name(state, key.a, other));
+    return several_contacts(pair_name(state, key.a, key.b), pair_name(state, key.a, other) + " touch");
 }
 
 }  // namespace
@@ -50,9 +50,9 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     const SupportAfterImpact support = keep_to_support(state, f);
     if (support == SupportAfterImpact::released) out.events.push_back(release_event(state, id, state.flight(id)));
     if (support == SupportAfterImpact::pushed) {
-        out.unresolved =
-            several_contacts(pair_name(state, id, key.b),
-                             pair_name(state, id, state.scene.plane_body(static_cast<std::size_t>(f.support))));
+        out.unresolved = several_contacts(
+            pair_name(state, id, key.b),
+            pair_name(state, id, state.scene.plane_body(static_cast<std::size_t>(f.support))) + " are in contact");
         return out;
     }
     double nudge = 4 * unit_roundoff * std::sqrt(f.velocity.squaredNorm());

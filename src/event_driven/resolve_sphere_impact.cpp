@@ -25,14 +25,14 @@ std::string why_coupled(const State& state, const Key& key, const Flight& a, con
                         const Neighbourhood& neighbourhood)
 {
     if (belongs_to_previous_instant(state, key))
-        return several_contacts(pair_name(state, key.a, key.b), "the impact just before it");
+        return several_contacts(pair_name(state, key.a, key.b), "another impact has just moved one of them");
     BodyId body = key.a, other = other_closing(state, a, key.a, key.b, neighbourhood);
     if (other == no_body) {
         body = key.b;
         other = other_closing(state, b, key.b, key.a, neighbourhood);
     }
     if (other == no_body) return {};
-    return several_contacts(pair_name(state, key.a, key.b), pair_name(state, body, other));
+    return several_contacts(pair_name(state, key.a, key.b), pair_name(state, body, other) + " touch");
 }
 
 }  // namespace
@@ -72,7 +72,8 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
         if (support == SupportAfterImpact::pushed) {
             out.unresolved = several_contacts(
                 pair_name(state, key.a, key.b),
-                pair_name(state, body, state.scene.plane_body(static_cast<std::size_t>(flight->support))));
+                pair_name(state, body, state.scene.plane_body(static_cast<std::size_t>(flight->support))) +
+                    " are in contact");
             return out;
         }
     }

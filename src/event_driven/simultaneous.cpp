@@ -76,7 +76,8 @@ std::string pair_name(const State& state, BodyId a, BodyId b)
 
 std::string several_contacts(const std::string& one, const std::string& other)
 {
-    return "several contacts close at one instant (" + one + "; " + other + "): coupled impacts are not resolved yet";
+    return "several contacts close at one instant: " + one + " meet while " + other +
+           ", and impacts of more than one contact are not resolved yet";
 }
 
 }  // namespace carom

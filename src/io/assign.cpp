@@ -58,14 +58,16 @@ Json* member(Json& object, const std::string& key)
 
 Json* element(Json& list, const std::string& key)
 {
-    std::size_t index = key == "-" ? list.items.size() : list.items.size() + 1;
+    if (key == "-") {
+        list.items.emplace_back().kind = Json::Kind::object;
+        return &list.items.back();
+    }
+    std::size_t index = list.items.size();
     const char* end = key.data() + key.size();
     std::size_t number = 0;
     const auto read = std::from_chars(key.data(), end, number);
     if (read.ec == std::errc{} && read.ptr == end) index = number;
-    if (index > list.items.size()) return nullptr;
-    if (index == list.items.size()) list.items.emplace_back().kind = Json::Kind::object;
-    return &list.items[index];
+    return index < list.items.size() ? &list.items[index] : nullptr;
 }
 
 }  // namespace
@@ -75,6 +77,10 @@ void assign(Json& document, const std::string& assignment, Problems& problems)
     const std::size_t equals = assignment.find('=');
     const std::string pointer = assignment.substr(0, equals);
     const auto keys = split(pointer);
+    if (equals != std::string::npos && !pointer.empty() && pointer.front() != '/') {
+        problems.add("/" + pointer, "--set " + quoted(assignment) + " must begin with / (write /" + assignment + ")");
+        return;
+    }
     if (equals == std::string::npos || !keys || keys->empty()) {
         problems.add(pointer, "--set " + quoted(assignment) + " is no assignment (write /pointer/to/key=value)");
         return;
@@ -87,11 +93,12 @@ void assign(Json& document, const std::string& assignment, Problems& problems)
         if (place->kind == Json::Kind::object) {
             place = member(*place, key);
         } else if (place->kind == Json::Kind::array) {
-            const std::string size = describe(*place);
+            const std::size_t size = place->items.size();
             place = element(*place, key);
             if (place == nullptr) {
-                problems.add(path, "--set: no such element, " + parent + " is " + size +
-                                       " (take an index of it, or - to add one)");
+                problems.add(path, "--set: no such element, " + parent + " has " +
+                                       (size == 0 ? "none" : "0 to " + std::to_string(size - 1)) + " (write " +
+                                       join(parent, "-") + " to add one)");
                 return;
             }
         } else {

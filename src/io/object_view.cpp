@@ -98,6 +98,14 @@ void ObjectView::not_yet(std::string_view key, bool (*harmless)(const Json&))
     std::erase(asked_, key);  // no suggestion
 }
 
+void ObjectView::never(std::initializer_list<std::string_view> keys, const std::string& cure)
+{
+    for (const auto key : keys) {
+        if (has(key)) problem(key, "unknown key (" + cure + ")");
+        std::erase(asked_, key);  // no suggestion
+    }
+}
+
 void ObjectView::finish()
 {
     for (std::size_t i = 0; i < consumed_.size(); ++i) {

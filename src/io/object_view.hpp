@@ -78,6 +78,9 @@ public:
     /// The key belongs to the format, but only `harmless` values of it are supported yet.
     void not_yet(std::string_view key, bool (*harmless)(const Json&));
 
+    /// Keys that people try here: each that is there is an unknown key, with this cure.
+    void never(std::initializer_list<std::string_view> keys, const std::string& cure);
+
     void finish();
 
 private:

@@ -46,11 +46,23 @@ public:
             check.body = body(view);
             check.value = view.vector("value").value_or(check.value);
         }
+        slips(view, *type);
         view.finish();
         return check;
     }
 
 private:
+    /// Words that are as good as the right ones.
+    static void slips(ObjectView& view, const std::string& type)
+    {
+        const bool vector = type == "final_position" || type == "final_velocity";
+        if (vector || type == "rest_time") view.never({"sphere", "ball", "id"}, "did you mean \"body\"?");
+        if (vector) view.never({"position", "velocity"}, "did you mean \"value\"?");
+        if (type == "rest_time" || type == "event_time") view.never({"value", "t"}, "did you mean \"time\"?");
+        if (type == "event_count") view.never({"value", "number"}, "did you mean \"count\"?");
+        view.never({"tolerance", "tol"}, "did you mean \"abs\" or \"rel\"?");
+    }
+
     BodyId body(ObjectView& view) const
     {
         const auto id = view.string("body");

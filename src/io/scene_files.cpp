@@ -93,6 +93,8 @@ fs::path find_scene(const std::string& what, const fs::path& root)
         names.push_back(entry.name);
     }
     if (fs::is_directory(what, error)) throw InputError({what + ": is a directory (name a scene file in it)"});
+    if (fs::exists(what + ".json", error))
+        throw InputError({what + ": no such file and no scene of the catalogue (did you mean \"" + what + ".json\"?)"});
     throw InputError(
         {what + ": no such file and no scene of the catalogue" + io::suggestion(what, names, "there are")});
 }

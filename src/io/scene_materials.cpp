@@ -16,6 +16,9 @@ void read_materials(ObjectView& root, SceneDraft& draft)
         material.restitution = view.number("restitution", fraction).value_or(material.restitution);
         material.tangential = view.number("tangential", fraction).value_or(material.tangential);
         material.color = read_color(view);
+        view.never(
+            {"friction", "mu"},
+            "there is no friction; \"tangential\" is the part of the velocity along a plane that an impact keeps");
         view.finish();
         auto& materials = draft.scene.materials;
         if (name == materials.front().name)

@@ -15,6 +15,8 @@ Plane read_plane(ObjectView& view, std::size_t index, const SceneDraft& draft)
     if (const auto point = view.vector("point")) p.offset = p.normal.dot(*point);
     p.thickness = view.number("thickness", not_negative);
     p.material = read_material(view, draft);
+    view.never({"angle", "slope", "tilt", "degrees", "inclination"},
+               "for a slope of a degrees write \"normal\": [sin a, 0, cos a] as numbers");
     view.finish();
     return p;
 }

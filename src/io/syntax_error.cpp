@@ -32,6 +32,23 @@ std::string hint(std::string_view before, std::string_view rest)
     return "";
 }
 
+/// A value where a comma belongs: the line and column behind the value before, and the cure. `byte` is where the value
+/// begins that came too early.
+std::string missing_comma(std::string_view text, const std::string& file, std::size_t byte, std::string_view what)
+{
+    const bool expects_end = what.ends_with("expected '}'") || what.ends_with("expected ']'");
+    const std::size_t last = byte == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", byte - 1);
+    if (!expects_end || last == std::string_view::npos) return "";
+    constexpr std::string_view begins_value = "\"{[-0123456789tfn", ends_value = "\"}]0123456789el";
+    if (byte >= text.size() || begins_value.find(text[byte]) == std::string_view::npos ||
+        ends_value.find(text[last]) == std::string_view::npos)
+        return "";
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(last), '\n');
+    const bool same_line = text.substr(last, byte - last).find('\n') == std::string_view::npos;
+    return place_of(text, last + 1, file) + ": a comma is missing " +
+           (same_line ? "here" : "at the end of line " + std::to_string(line));
+}
+
 /// Where the token begins that the parser could not take, having read everything before `end`. (The parser's own record
 /// of the token reaches back too far.)
 std::size_t token_begin(std::string_view text, std::size_t end, std::string_view what)
@@ -81,6 +98,7 @@ std::string syntax_error(std::string_view text, const std::string& file, std::si
         return place + too_large + ": " + std::string(text.substr(byte, read - byte)) +
                " is out of range (the largest number is 1.8e308)";
     if (const std::string cure = hint(text.substr(0, byte), text.substr(byte)); !cure.empty()) return place + cure;
+    if (const std::string found = missing_comma(text, file, byte, what); !found.empty()) return found;
     if (at_end) return place + "the text ends too early (is the file truncated? a bracket or quote is missing)";
     return place + plain(what);
 }

@@ -236,7 +236,9 @@ private:
     void settle(BodyId a, BodyId b, const Real& t)
     {
         if (count() > 1 || support_ != no_body)
-            return stop("rest that is not of a lone sphere on one plane", {a, b}, t);
+            return stop(count() > 1 ? "with several spheres the reference ends at the first rest"
+                                    : "the reference ends where a resting sphere rests on a second plane too",
+                        {a, b}, t);
         Ball<Real>& ball = balls_[a];
         // Infinitely many bounces with friction leave nothing of the velocity along the plane.
         const bool stuck =

@@ -12,7 +12,7 @@ namespace carom::reference {
 inline std::string at_time(double t)
 {
     char text[40];
-    std::snprintf(text, sizeof text, " at t = %.12g", t);
+    std::snprintf(text, sizeof text, " at t = %.6g", t);
     return text;
 }
 

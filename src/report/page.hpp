@@ -12,13 +12,19 @@
 ///   prefixes.
 /// - `verdict`: sentences; the first is set large and repeated in the overview.
 /// - `until`: end of the comparison [time].
+/// - `tolerance`: the position error that the verdict asks for [length]; may be left out.
+/// - `step_shown`: the step that charts over time show at first, the verdict's [time]; null or left out: the middle
+/// one.
 /// - `reference`: {`kind`: "closed_form" | "multiprecision", `bound` [length], `until` [time], `reason`}; the reason
 ///   says why the reference ends before the run does, "" if it does not.
 /// - `rows`: one object a run. Its keys are the columns of compare.csv (numbers as numbers, null for an empty cell)
-///   and `label`, for instance "velocity, dt = 1/240": the word after "dt = " is written beside the run's point.
+///   and `label`, for instance "velocity, dt = 1/240": the word after "dt = " is written beside the run's point. Three
+///   more may be left out: `mistimed_impacts`, the part of `missed_impacts` that came, but early or late;
+///   `reference_impacts`, how many were looked for (none where the run diverged before the first); `time` reached.
 /// - `series`: errors over time, at most one a row, arrays of one length, null where not known:
 ///   {`row`: index into rows, `time`: [..], `energy_error`: [..] signed, (E - E_ref) / max kinetic energy of the
-///   reference, `penetration`: [..] >= 0, deepest since the sample before [length], `position_max`: [..] [length]}.
+///   reference, `penetration`: [..] >= 0, of the state at the sample, for a stepper after its correction [length],
+///   `position_max`: [..] [length]}.
 /// - `missed`: {`row`, `times`: [..] ascending, `names`: ["ball - floor", ..]} for rows that missed impacts. The
 ///   lists may be cut to the first few hundred; the count is taken from the row's `missed_impacts`.
 /// - `view`: the side view; may be left out.

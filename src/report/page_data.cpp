@@ -1,6 +1,7 @@
 #include "report/page_data.hpp"
 
 #include "report/side_view.hpp"
+#include "study/method_verdict.hpp"
 #include "study/words.hpp"
 
 #include <nlohmann/json.hpp>
@@ -54,7 +55,11 @@ Json row_json(const CompareRow& row)
             {"steps", row.steps},
             {"root_solves", row.root_solves},
             {"pair_tests", row.pair_tests},
-            {"status", name(row.status)}};
+            {"status", name(row.status)},
+            // What only the page needs, beyond the columns of the CSV.
+            {"mistimed_impacts", row.mistimed_impacts},
+            {"reference_impacts", row.reference_impacts},
+            {"time", row.time}};
 }
 
 Json series_json(const Comparison& comparison)
@@ -156,6 +161,10 @@ std::string comparison_data(const Scene& scene, const Comparison& comparison)
     json["units"] = {{"length", scene.units.length}, {"time", scene.units.time}, {"mass", scene.units.mass}};
     json["verdict"] = comparison.verdict;
     json["until"] = comparison.until;
+    json["tolerance"] = comparison.tolerance;
+    const CompareRow* shown = study::cheapest_stepper(comparison);
+    if (shown == nullptr) shown = study::best_stepper(comparison);
+    json["step_shown"] = shown != nullptr ? optional_json(shown->dt) : Json(nullptr);
     json["reference"] = {
         {"kind", reference.kind}, {"bound", reference.bound}, {"until", reference.until}, {"reason", reference.reason}};
     json["rows"] = Json::array();

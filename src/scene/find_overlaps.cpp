@@ -45,6 +45,12 @@ bool centre_inside(const Plane& plate, const Sphere& s)
     return plate.thickness && std::abs(plate.normal.dot(s.position) - plate.offset) <= *plate.thickness / 2;
 }
 
+/// On the wrong side as a whole, which a normal turned round does.
+bool centre_behind(const Plane& plane, const Sphere& s)
+{
+    return !plane.thickness && plane.normal.dot(s.position) < plane.offset;
+}
+
 std::vector<Overlap> overlapping_planes(const Scene& scene)
 {
     std::vector<Overlap> found;
@@ -64,9 +70,14 @@ std::string enough(double depth)
     return to_text(depth * 1.001, 4);
 }
 
+std::string depth(double depth)
+{
+    return " by " + to_text(depth, 6);
+}
+
 std::string cure(double depth)
 {
-    return " by " + to_text(depth, 6) + " (move one by at least " + enough(depth) + ", or pass --allow-overlap)";
+    return "move one by at least " + enough(depth) + ", or pass --allow-overlap)";
 }
 
 std::vector<std::string> centres_inside_plates(const Scene& scene, const BodyPlaces& places)
@@ -89,12 +100,17 @@ std::vector<std::string> find_overlaps(const Scene& scene, bool allow_overlap, c
 {
     std::vector<std::string> lines = centres_inside_plates(scene, places);
     if (!allow_overlap) {
+        const auto plane = [&](std::size_t p) { return quoted(scene.planes[p].id) + " (" + places.plane(p) + ")"; };
         for (const auto& o : overlapping_planes(scene))
-            lines.push_back(places.sphere(o.a) + ": sphere " + quoted(scene.spheres[o.a].id) + " overlaps plane " +
-                            quoted(scene.planes[o.b].id) + " (" + places.plane(o.b) + ")" + cure(o.depth));
+            lines.push_back(places.sphere(o.a) + ": sphere " + quoted(scene.spheres[o.a].id) +
+                            (centre_behind(scene.planes[o.b], scene.spheres[o.a])
+                                 ? " is behind plane " + plane(o.b) + ", overlapping" + depth(o.depth) +
+                                       " (does the plane's normal point to the free side? else " + cure(o.depth)
+                                 : " overlaps plane " + plane(o.b) + depth(o.depth) + " (" + cure(o.depth)));
         for (const auto& o : overlapping_spheres(scene.spheres))
             lines.push_back(places.sphere(o.b) + ": sphere " + quoted(scene.spheres[o.b].id) + " overlaps sphere " +
-                            quoted(scene.spheres[o.a].id) + " (" + places.sphere(o.a) + ")" + cure(o.depth));
+                            quoted(scene.spheres[o.a].id) + " (" + places.sphere(o.a) + ")" + depth(o.depth) + " (" +
+                            cure(o.depth));
     }
     if (lines.size() > most_lines) {
         const std::size_t more = lines.size() - most_lines;

@@ -27,41 +27,69 @@ struct Prefix {
     const char* text;
 };
 
+std::string significant(double value, int digits)
+{
+    if (!std::isfinite(value)) return "not a finite number";
+    std::array<char, 32> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.*e", digits - 1, value);
+    std::snprintf(buffer.data(), buffer.size(), "%.*g", 6, std::strtod(buffer.data(), nullptr));
+    return short_exponent(buffer.data());
+}
+
 }  // namespace
 
 std::string two_digits(double value)
 {
-    if (!std::isfinite(value)) return "not a finite number";
-    std::array<char, 32> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.1e", value);
-    std::snprintf(buffer.data(), buffer.size(), "%g", std::strtod(buffer.data(), nullptr));
-    return short_exponent(buffer.data());
+    return significant(value, 2);
+}
+
+std::string three_digits(double value)
+{
+    return significant(value, 3);
+}
+
+std::string time_text(double time, const std::string& unit)
+{
+    constexpr int digits = 5;
+    return significant(time, digits) + (unit.empty() ? "" : " " + unit);
 }
 
 std::string step_text(double dt)
 {
+    constexpr int digits = 4;
     std::array<char, 32> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, dt);
+    const bool rounded = std::strtod(buffer.data(), nullptr) != dt;
+    // As long as a fraction must be shorter than: what the user typed, if that was a decimal.
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), dt);
-    std::string decimal = short_exponent(std::string(buffer.data(), end.ptr));
+    const std::string decimal = short_exponent(std::string(buffer.data(), end.ptr));
     const double steps = std::round(1 / dt);
-    constexpr double most = 1e9;
-    if (!(steps > 1 && steps <= most) || 1 / steps != dt) return decimal;
-    std::string fraction = "1/" + std::to_string(static_cast<long long>(steps));
-    return fraction.size() < decimal.size() ? fraction : decimal;
+    constexpr double most = 1e9, same = 1e-12;  // ranges miss 1/n by a rounding
+    if (steps > 1 && steps <= most && std::abs(1 / steps - dt) <= same * dt) {
+        std::string fraction = "1/" + std::to_string(static_cast<long long>(steps));
+        if (fraction.size() < decimal.size()) return fraction;
+    }
+    if (!rounded) return decimal;
+    const std::string plain = significant(dt, digits);
+    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, dt);
+    const auto last = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::strtod(buffer.data(), nullptr),
+                                    std::chars_format::scientific);
+    const std::string power = short_exponent(std::string(buffer.data(), last.ptr));
+    return power.size() < plain.size() ? power : plain;
 }
 
 std::string length_text(double value, const std::string& unit)
 {
-    if (!std::isfinite(value)) return two_digits(value);
-    if (unit != "m") return two_digits(value) + (unit.empty() ? "" : " " + unit);
+    if (!std::isfinite(value)) return three_digits(value);
+    if (unit != "m") return three_digits(value) + (unit.empty() ? "" : " " + unit);
     constexpr double smallest_named = 1e-9, in_words_below = 1;
     const double size = std::abs(value);
-    if (size < smallest_named || size >= in_words_below) return two_digits(value) + " m";
+    if (size < smallest_named || size >= in_words_below) return three_digits(value) + " m";
     constexpr std::array<Prefix, 4> prefixes{
         {{1e-6, 1e-9, " nm"}, {1e-4, 1e-6, " um"}, {1e-2, 1e-3, " mm"}, {1, 1e-2, " cm"}}};
     for (const Prefix& each : prefixes)
-        if (size < each.below) return two_digits(value / each.unit) + each.text;
-    return two_digits(value) + " m";
+        if (size < each.below) return three_digits(value / each.unit) + each.text;
+    return three_digits(value) + " m";
 }
 
 std::string seconds_text(double seconds)

@@ -143,6 +143,7 @@ function compare(scene) {
   const frames = (states) => times.map((_, k) => states.map((s) => s[k]));
   tracks.push({ row: -1, data: encode(scene.view, frames(truth)) });
 
+  const total = reference.reduce((sum, r) => sum + r.impacts.length, 0);
   const add = (row, states, depths, lost) => {
     const index = rows.length;
     const distance = times.map((_, k) => states.map((s, i) => Math.hypot(...along(s[k].x, -1, truth[i][k].x))));
@@ -158,6 +159,7 @@ function compare(scene) {
       velocity_rms: root(mean(swift.flat().map((d) => d * d))), energy_error: Math.max(...drift.map(Math.abs)), max_penetration: Math.max(...depths),
       missed_impacts: lost.length, invented_impacts: row.invented, impacts: row.impacts, rest_jitter: row.jitter ?? null,
       divergence_time: divergence < 0 ? null : times[divergence], reference_bound: scene.bound, steps: row.steps, root_solves: row.roots, pair_tests: row.pairs, status: "reached_end",
+      mistimed_impacts: Math.min(lost.length, row.invented), reference_impacts: total, time: scene.until,
     });
     series.push({ row: index, time: times, energy_error: drift, penetration: depths, position_max: worst });
     if (lost.length) missed.push({ row: index, times: lost.map((l) => l.t), names: lost.map((l) => l.name) });
@@ -165,7 +167,6 @@ function compare(scene) {
   };
 
   // The event-driven method: the truth with errors of rounding.
-  const total = reference.reduce((sum, r) => sum + r.impacts.length, 0);
   const rounding = truth.map((states, i) => states.map((s, k) => ({ x: along(s.x, 2e-16 * (k % 7) * scene.size, [Math.sin(k + i), Math.cos(3 * k + i)]), v: s.v })));
   add({ method: "event", dt: null, label: "event", cpu: 2e-7 + 1.9e-7 * total, invented: 0, impacts: total, steps: null, roots: total + scene.spheres.length, pairs: 0 }, rounding, times.map(() => 0), []);
   for (const method of scene.methods) {
@@ -191,7 +192,7 @@ function compare(scene) {
     }
   }
   return {
-    title: scene.title, description: scene.description, units: scene.units, verdict: scene.verdict, until: scene.until,
+    title: scene.title, description: scene.description, units: scene.units, verdict: scene.verdict, until: scene.until, tolerance: 1e-3, step_shown: scene.steps.at(-1)[0],
     reference: { kind: scene.kind, bound: scene.bound, until: scene.until, reason: scene.reason ?? "" },
     rows, series, missed, view: { ...scene.view, times, tracks },
   };

@@ -4,13 +4,13 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import test from "node:test";
 import { examplePage } from "./example.mjs";
-import { COLUMNS } from "./src/columns.js";
+import { COLUMNS, TABLE_COLUMNS } from "./src/columns.js";
 import { toCsv } from "./src/csv.js";
 import { decodeTrack, frameAt, positionsAt } from "./src/decode.js";
 import { escapeHtml, formatDecade, formatNumber, formatQuantity, formatStep, powerOfTen, slug } from "./src/format.js";
 import { placeLabels, spread } from "./src/labels.js";
-import { logAxis } from "./src/logaxis.js";
-import { groupRows, rowLabel, stepLabel, stepsOf } from "./src/rows.js";
+import { farBelow, logAxis } from "./src/logaxis.js";
+import { groupRows, rowLabel, stepLabel, stepsOf, withLateAndLost } from "./src/rows.js";
 import { methodStyle, SYMBOLS } from "./src/styles.js";
 
 const CSV_COLUMNS = "method,dt,substeps,passes,cpu_seconds,cpu_min,cpu_max,position_rms,position_max,position_final_rms,position_final_max,velocity_rms,energy_error," +
@@ -85,6 +85,34 @@ test("a bound far below the data does not stretch the axis", () => {
   assert.ok(axis.min > -18);
 });
 
+test("one method far below the others does not squeeze them into a corner", () => {
+  const values = [4.6e-16, 0.0585, 0.0148, 0.00275];
+  assert.equal(farBelow(values), 4.6e-16);
+  assert.equal(farBelow([1e-6, 0.01, 0.1]), 0);
+  assert.equal(farBelow([0, 0.01]), 0);
+  const axis = logAxis(values, { bound: 3e-16, far: farBelow([...values, 5e-4]), include: [5e-4] });
+  assert.equal(axis.floor, 1e-5);
+  assert.equal(axis.floorName, "≤ 10⁻¹⁵");
+  assert.ok(axis.floored(4.6e-16) && !axis.boundShown && axis.min < Math.log10(5e-4) && axis.min > -6);
+  assert.ok(logAxis([2e-6, 3e-5], { include: [1e-3] }).max > -3);
+});
+
+test("impacts are late or missed, and neither where a run left the reference before the first", () => {
+  const [both, never, old] = withLateAndLost([
+    { missed_impacts: 6, mistimed_impacts: 5, reference_impacts: 16, divergence_time: null }, { missed_impacts: 0, mistimed_impacts: 0, reference_impacts: 0, divergence_time: 0.01 }, { missed_impacts: 2 }]);
+  assert.deepEqual([both.late, both.lost], [5, 1]);
+  assert.deepEqual([never.late, never.lost], [null, null]);
+  assert.deepEqual([old.late, old.lost], [null, 2]);
+});
+
+test("the table begins with errors and has every column once", () => {
+  const keys = TABLE_COLUMNS.map((c) => c.key);
+  assert.deepEqual(keys.slice(0, 2), ["method", "position_max"]);
+  assert.equal(new Set(keys).size, keys.length);
+  assert.ok(["late", "lost", "cpu_seconds", "reference_bound"].every((key) => keys.includes(key)));
+  assert.ok(keys.indexOf("cpu_seconds") > keys.indexOf("energy_error"));
+});
+
 test("an axis without a positive value still has ticks", () => {
   for (const values of [[], [0, 0], [null, NaN], [5]]) {
     const axis = logAxis(values);
@@ -150,7 +178,7 @@ test("columns are those of compare.csv, in its order", () => {
 test("the example keeps to the format", () => {
   const page = examplePage(["ball", "bullet"]);
   for (const { rows, series, missed, view, until } of page.comparisons) {
-    for (const row of rows) assert.deepEqual(Object.keys(row).filter((k) => k !== "label").join(), CSV_COLUMNS);
+    for (const row of rows) assert.deepEqual(Object.keys(row).filter((k) => !["label", "mistimed_impacts", "reference_impacts", "time"].includes(k)).join(), CSV_COLUMNS);
     assert.equal(new Set(rows.map((r) => r.label)).size, rows.length);
     for (const s of series) for (const key of ["energy_error", "penetration", "position_max"]) assert.equal(s[key].length, s.time.length);
     for (const m of missed) assert.ok(m.times.length === m.names.length && m.times.every((t) => t <= until) && m.times.length === rows[m.row].missed_impacts);

@@ -1,6 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/choices.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/notes.hpp"
 #include "cli/progress.hpp"
 
 #include <carom/error.hpp>
@@ -69,6 +70,8 @@ TEST_CASE("help and version succeed on stdout, at every level and with examples"
                                                                                       {"run", "-h"},
                                                                                       {"compare", "--help"},
                                                                                       {"report", "-h"},
+                                                                                      {"check", "-h"},
+                                                                                      {"explain", "-h"},
                                                                                       {"stress", "-h"},
                                                                                       {"scenes", "-h"},
                                                                                       {"scenes", "list", "-h"},
@@ -76,6 +79,7 @@ TEST_CASE("help and version succeed on stdout, at every level and with examples"
         const ParseResult result = parse_arguments(args);
         CHECK(result.exit_code == exit_ok);
         CHECK_FALSE(result.arguments);
+        if (args.size() == 2) CHECK_THAT(result.out, Contains("\nExit: 0 "));
         CHECK_THAT(result.out, Contains("Examples:") && Contains("carom"));
         CHECK(result.err.empty());
     }
@@ -101,6 +105,22 @@ TEST_CASE("usage errors exit with 2 and say so on stderr", "[arguments]")
         CHECK_FALSE(result.err.empty());
         CHECK(result.out.empty());
     }
+}
+
+TEST_CASE("usage errors name what is wrong and what was probably meant", "[arguments]")
+{
+    const auto said = [](const std::vector<std::string>& args) { return parse_arguments(args).err; };
+    CHECK(said({"run", "ball", "--untill", "2"}) == "carom run: unknown option --untill (did you mean --until?)\n");
+    CHECK(said({"run", "ball", "--untill=2"}) == "carom run: unknown option --untill (did you mean --until?)\n");
+    CHECK(said({"compare", "ball", "--xyzzy"}) ==
+          "carom compare: unknown option --xyzzy (carom compare -h lists them)\n");
+    CHECK(said({"run", "ball", "--no-progres"}) ==
+          "carom run: unknown option --no-progres (did you mean --no-progress?)\n");
+    CHECK(said({"run"}) == "carom run: the scene is missing (carom run -h has examples)\n");
+    CHECK(said({"scenes", "show"}) == "carom scenes show: the scene is missing (carom scenes show -h has examples)\n");
+    CHECK(said({"run", "a", "b"}) == "carom run: unexpected argument \"b\" (carom run -h shows what it takes)\n");
+    CHECK_THAT(said({}), Contains("carom: a command is missing (take: run, compare"));
+    CHECK_THAT(said({"comprae", "ball"}), Contains("did you mean \"compare\"?"));
 }
 
 TEST_CASE("an unknown command is named", "[arguments]")
@@ -208,6 +228,32 @@ TEST_CASE("a wrong value is a usage error if typed and a scene error if written 
         CHECK_THROWS_AS(compare_settings({}, {}, scene_with({{key, text}}), "ball.json"), InputError);
     }
     CHECK_THROWS_AS(run_settings({}, {}, scene_with({{"speed", 3.0}}), "ball.json"), InputError);
+    RunArguments slip;
+    for (const char* typed : {"pdb", "PBD"}) {
+        slip.given["method"] = typed;
+        CHECK_THROWS_WITH(run_settings(slip, {}, scene_with({}), ""), Contains("did you mean \"pbd\"?"));
+    }
+    CHECK_THROWS_WITH(
+        compare_settings({}, {}, scene_with({{"dt", std::vector<std::string>{"1/60", "0"}}}), "ball.json"),
+        Contains("/compare/dt: 0 in \"1/60,0\" must be > 0"));
+}
+
+TEST_CASE("options without an effect are noted", "[notes]")
+{
+    const Method pbd = make_method("pbd", {}), velocity = make_method("velocity", {}), event = EventDriven{};
+    CHECK(ignored_options({{"until", "1"}, {"dt", "0.1"}, {"literal", "true"}}, pbd).empty());
+    REQUIRE(ignored_options({{"dt", "0.1"}}, event).size() == 1);
+    CHECK_THAT(ignored_options({{"dt", "0.1"}}, event).front(), Contains("--dt has no effect: event takes no steps"));
+    CHECK(ignored_options({{"dt", "0.1"}, {"kernel", "general"}, {"literal", "true"}}, velocity).size() == 2);
+
+    Scene scene = scene_with({});
+    for (const char* name : {"wood", "wod"}) scene.materials.emplace_back().name = name;
+    scene.spheres.emplace_back().material = 1;
+    CHECK(unused_materials(scene, {"/materials/wood/restitution=0.5", "/end_time=2"}).empty());
+    REQUIRE(unused_materials(scene, {"/materials/wod/restitution=0.5"}).size() == 1);
+    CHECK(unused_materials(scene, {"/materials/wod/restitution=0.5"}).front() ==
+          "--set /materials/wod/restitution=0.5 has no effect: no body is of the material \"wod\" (did you mean "
+          "\"wood\"?)");
 }
 
 TEST_CASE("statuses have the contract's exit codes", "[exit]")

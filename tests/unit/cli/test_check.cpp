@@ -115,6 +115,10 @@ TEST_CASE("scenes are validated, one or all, and the schema is printed", "[cli]"
     CHECK(report["scenes"][0]["valid"] == false);
     CHECK(report["scenes"][0]["problems"].size() == 2);
     CHECK(carom_tool({"scenes", "validate"}).code == exit_ok);
+    const File steps(R"({"format": "carom-scene/1", "end_time": 1, "compare": {"dt": ["1/60", 0]}})");
+    const Said wrong_step = carom_tool({"scenes", "validate", steps.path()});
+    CHECK(wrong_step.code == exit_bad_input);
+    CHECK_THAT(wrong_step.err, Contains("/compare/dt: 0 in \"1/60,0\" must be > 0"));
     CHECK(json::parse(carom_tool({"scenes", "schema"}).out)["title"] == "carom-scene/1");
 }
 

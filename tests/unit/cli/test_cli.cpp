@@ -95,6 +95,56 @@ TEST_CASE("run writes its result and its events", "[cli]")
     CHECK_FALSE(std::getline(events, line));
 }
 
+TEST_CASE("run says what has no effect, how a few spheres end, and what cannot be", "[cli]")
+{
+    const Folder folder;
+    const Said said = carom_tool({"run", folder / "ball.json", "--dt", "0.1"});
+    CHECK(said.code == exit_ok);
+    CHECK_THAT(said.err, Contains("carom: note: --dt has no effect"));
+    CHECK_THAT(said.out, Contains("ball at (0.2, 0, "));
+    CHECK(carom_tool({"run", folder / "ball.json", "--dt", "0.1", "-q"}).err.empty());
+    CHECK_THAT(carom_tool({"run", folder / "ball.json", "--set", "/materials/ruber/restitution=0.5"}).err,
+               Contains("no body is of the material \"ruber\" (did you mean \"rubber\"?)"));
+    const Said wild = carom_tool({"run", folder / "ball.json", "--method", "velocity", "--dt", "10", "--until", "10"});
+    CHECK_THAT(wild.out, Contains("1 behind a plane or nowhere: ball"));
+    const Said growing =
+        carom_tool({"run", folder / "ball.json", "--method", "velocity", "--dt", "10", "--until", "20"});
+    CHECK_THAT(growing.out, Contains("energy drift     GREW by 1.809e+04"));
+}
+
+TEST_CASE("events go into a folder that is there", "[cli]")
+{
+    const Folder folder;
+    const Said said = carom_tool({"run", folder / "ball.json", "--events", folder / "none/events.csv"});
+    CHECK(said.code == exit_bad_input);
+    CHECK_THAT(said.err, Contains("no such folder: " + folder / "none"));
+    CHECK_FALSE(fs::exists(folder / "none"));
+    CHECK_THAT(carom_tool({"run", folder / "ball.json", "--method", "pdb"}).err, Contains("did you mean \"pbd\"?"));
+}
+
+TEST_CASE("a run that met what it cannot resolve says how to go on, and compare exits with 1", "[cli]")
+{
+    const Folder folder;
+    const std::string jam =
+        R"(/spheres=[{"radius": 1, "position": [-2, 0, 5], "velocity": [1, 0, 0]},
+        {"radius": 1, "position": [1, 0, 5]}, {"radius": 1, "position": [4, 0, 5], "velocity": [-1, 0, 0]}])";
+    const std::vector<std::string> set{"--set", "/gravity=[0,0,0]", "--set", jam, "--until", "2.5"};
+    std::vector<std::string> args{"run", folder / "ball.json"};
+    args.insert(args.end(), set.begin(), set.end());
+    const Said run = carom_tool(args);
+    CHECK(run.code == exit_failed);
+    CHECK_THAT(run.err,
+               Contains("unresolved") && Contains("note: what was computed up to there is valid: --until 0.99 "));
+    args[0] = "compare";
+    for (const std::string& word : {std::string("-o"), folder / "c", std::string("--repeats"), std::string("1")})
+        args.push_back(word);
+    const Said compared = carom_tool(args);
+    CHECK(compared.code == exit_failed);
+    CHECK_THAT(compared.err, Contains("carom: event: unresolved: several contacts") && Contains("--until 0.99"));
+    CHECK_THAT(compared.out, Contains("unresolved at 1") && !Contains("x event\n") && Contains("up to t = 1"));
+    CHECK(json::parse(folder.read("c/compare.json"))["rows"].size() == 2);
+}
+
 TEST_CASE("limits exit with 5 and leave a valid result", "[cli]")
 {
     const Folder folder;
@@ -132,6 +182,8 @@ TEST_CASE("compare writes its files, a table with a verdict, and a page that rep
     CHECK(table.code == exit_ok);
     CHECK_THAT(table.out, Contains("method") && Contains("1/60") && Contains("The event method is right") &&
                               Contains("report.html"));
+    CHECK_THAT(table.out, Contains("Tolerance: position error 1 mm (0.01 of the smallest radius") &&
+                              Contains("within 1 mm") && Contains("late: impacts that come more than 3 steps"));
     std::istringstream csv(folder.read("a/compare.csv"));
     std::string line;
     std::getline(csv, line);
@@ -145,6 +197,9 @@ TEST_CASE("compare writes its files, a table with a verdict, and a page that rep
     const Said joined = carom_tool({"report", folder / "a", folder / "b", "-o", folder / "all.html"});
     CHECK(joined.code == exit_ok);
     CHECK(joined.out == folder / "all.html" + std::string("\n"));
+    // Two comparisons of one scene are told apart.
+    CHECK_THAT(folder.read("all.html"),
+               Contains("Ball (" + folder / "a" + ")") && Contains("Ball (" + folder / "b" + ")"));
     CHECK(folder.read("all.html").size() > folder.read("a/report.html").size());
 }
 

@@ -60,17 +60,21 @@ TEST_CASE("--set adds keys, sections and list elements", "[io]")
 {
     CHECK(with({"/gravity=[0,0,-1]"}).gravity == Vec3(0, 0, -1));
     CHECK(with({"/rest/series_below=0"}).rest.series_below == 0);
-    CHECK(with({"/spheres/1={\"radius\": 1, \"position\": [5, 0, 5]}"}).spheres.size() == 2);
+    CHECK(with({"/spheres/-={\"radius\": 1, \"position\": [5, 0, 5]}"}).spheres.size() == 2);
     CHECK(with({"/spheres/-={\"radius\": 1, \"position\": [5, 0, 5]}", "/spheres/1/mass=3"}).spheres[1].mass == 3);
 }
 
 TEST_CASE("what --set gets wrong is said at its pointer", "[io]")
 {
-    CHECK_THAT(problems_with({"/spheres/7/radius=1"}),
-               Contains("s.json: /spheres/7: --set: no such element") && Contains("/spheres is a list of 1"));
+    CHECK_THAT(
+        problems_with({"/spheres/7/radius=1"}),
+        Contains("s.json: /spheres/7: --set: no such element, /spheres has 0 to 0 (write /spheres/- to add one)"));
+    CHECK_THAT(problems_with({"/spheres/1/radius=1"}), Contains("s.json: /spheres/1: --set: no such element"));
+    CHECK_THAT(problems_with({"/checks=[]", "/checks/0=1"}), Contains("/checks has none"));
     CHECK_THAT(problems_with({"/spheres/01x/radius=1"}), Contains("/spheres/01x: --set: no such element"));
     CHECK_THAT(problems_with({"/end_time/0=1"}), Contains("s.json: /end_time/0: --set: /end_time is the number 1"));
-    CHECK_THAT(problems_with({"end_time=1"}), Contains("is no assignment (write /pointer/to/key=value)"));
+    CHECK_THAT(problems_with({"end_time=1"}), Contains("must begin with / (write /end_time=1)"));
+    CHECK_THAT(problems_with({"end_time"}), Contains("is no assignment (write /pointer/to/key=value)"));
     CHECK_THAT(problems_with({"/end_time"}), Contains("is no assignment"));
     CHECK_THAT(problems_with({"=1"}), Contains("is no assignment"));
     CHECK_THAT(problems_with({"/a~2=1"}), Contains("is no assignment"));

@@ -61,6 +61,16 @@ TEST_CASE("common slips come with their cure", "[io]")
     CHECK(begins(error_of("[.5]"), "f.json:1:2: a number begins with a digit"));
 }
 
+TEST_CASE("a missing comma is reported where it belongs, not where the next value stands", "[io]")
+{
+    CHECK(error_of("{\"a\": 1\n  \"b\": 2}") == "f.json:1:8: a comma is missing at the end of line 1");
+    CHECK(error_of("{\n\"a\": {\"x\": 1}  \n\n  \"b\": 2}") == "f.json:2:14: a comma is missing at the end of line 2");
+    CHECK(error_of("[1 2]") == "f.json:1:3: a comma is missing here");
+    CHECK(error_of("[[1]\n[2]]") == "f.json:1:5: a comma is missing at the end of line 1");
+    CHECK(begins(error_of("[1 }"), "f.json:1:4: syntax error"));
+    CHECK(begins(error_of("[1, ]"), "f.json:1:5: comma before"));
+}
+
 TEST_CASE("a number beyond the range of a double is refused with its place and pointer", "[io]")
 {
     CHECK(begins(error_of("{\"g\": [0,\n 0, 1e999]}"), "f.json:2:5: /g/2: 1e999 is out of range"));

@@ -85,6 +85,8 @@ TEST_CASE("a scene is found by path or by catalogue name, and a slip gets the ne
     CHECK(find_scene(file.string(), folder.path) == file);
     CHECK(find_scene("bouncing", folder.path) == file);
     CHECK_THROWS_WITH(find_scene("bouncin", folder.path), Contains("did you mean \"bouncing\"?"));
+    CHECK_THROWS_WITH(find_scene((file.parent_path() / "bouncing").string(), folder.path),
+                      Contains("did you mean \"") && Contains("bouncing.json\"?"));
     CHECK_THROWS_WITH(find_scene("zzz", folder.path), Contains("there are: bouncing"));
     CHECK_THROWS_WITH(find_scene((folder.path / "a").string(), folder.path), Contains("is a directory"));
 }

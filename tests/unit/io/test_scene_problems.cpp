@@ -24,6 +24,33 @@ TEST_CASE("a slip in a key is reported with the key that was probably meant", "[
                StartsWith("s.json: /checks/0/type: \"enrgy\": unknown (did you mean \"energy\"?)"));
 }
 
+TEST_CASE("words that people try come with the right ones", "[io]")
+{
+    CHECK(problem_with(R"("planes": [{"normal": [0, 0, 1], "offset": 0, "angle": 26.6}])") ==
+          "s.json: /planes/0/angle: unknown key (for a slope of a degrees write \"normal\": [sin a, 0, cos a] as "
+          "numbers)");
+    CHECK_THAT(problem_with(R"("materials": {"m": {"friction": 0.3}})"),
+               StartsWith("s.json: /materials/m/friction: unknown key (there is no friction; \"tangential\""));
+    const std::string ball = R"("spheres": [{"id": "y", "radius": 1, "position": [0, 0, 0]}], "checks": )";
+    CHECK(problem_with(ball + R"([{"type": "rest_time", "body": "y", "sphere": "y", "time": 1}])") ==
+          "s.json: /checks/0/sphere: unknown key (did you mean \"body\"?)");
+    CHECK_THAT(problem_with(ball + R"([{"type": "rest_time", "body": "y", "time": 1, "value": 1}])"),
+               Contains("/checks/0/value: unknown key (did you mean \"time\"?)"));
+    CHECK_THAT(problem_with(ball + R"([{"type": "final_position", "body": "y", "value": [0, 0, 0], "position": 1}])"),
+               Contains("/checks/0/position: unknown key (did you mean \"value\"?)"));
+    // None of them is offered for a slip of another kind.
+    CHECK_THAT(problem_with(R"("planes": [{"normal": [0, 0, 1], "offset": 0, "xyz": 1}])"), !Contains("angle"));
+}
+
+TEST_CASE("a sphere behind a plane is asked about the normal", "[io]")
+{
+    const std::string members = R"("spheres": [{"id": "a", "radius": 1, "position": [0, 0, -2]}],
+        "planes": [{"id": "floor", "normal": [0, 0, 1], "offset": 0}])";
+    CHECK(problem_with(members) ==
+          "s.json: /spheres/0: sphere \"a\" is behind plane \"floor\" (/planes/0), overlapping by 3 (does the plane's "
+          "normal point to the free side? else move one by at least 3.003, or pass --allow-overlap)");
+}
+
 TEST_CASE("a value of the wrong type is reported with what was expected and found", "[io]")
 {
     CHECK(problem_with(R"("spheres": [{"radius": "big", "position": [0, 0, 0]}])") ==

@@ -257,7 +257,7 @@ TEST_CASE("What needs a simultaneous solve or rest among several ends the refere
         scene.spheres[0].position.z() = 1;
         const Reference later = make_reference(scene, 9, times);
         CHECK(later.until == Approx(3).epsilon(1e-15));  // h = 1/2, g = 1: rest at sqrt(2h/g)(1+e)/(1-e)
-        CHECK(later.reason.find("rest") == 0);
+        CHECK(later.reason.find("with several spheres the reference ends at the first rest: a, floor") == 0);
         CHECK(later.series.size() == 1);
         CHECK(later.samples[1][0].mode == Mode::flying);
     }

@@ -39,12 +39,16 @@ Comparison some_comparison()
     Comparison comparison;
     comparison.until = comparison.reference.until = 2;
     comparison.sample_times = {0, 1, 2};
+    comparison.tolerance = 0.25;
     comparison.reference.tracks = {{{0, 0, 1}}, {{2, 0, 1}}, {{4, 0, 1}}};
     CompareRow row;
     row.method = "pbd";
     row.dt = 1.0 / 240;
     row.substeps = 4;
     row.passes = 1;
+    row.mistimed_impacts = 1;
+    row.reference_impacts = 3;
+    row.time = 1.5;
     row.position_max = std::numeric_limits<double>::quiet_NaN();
     row.series.penetration = {0, 0.1, 0.2};
     row.series.energy_error = {0, -0.5};
@@ -87,6 +91,11 @@ TEST_CASE("page data have what the page asks for", "[page_data]")
         CHECK(comparison.contains(key));
     }
     CHECK(comparison["title"] == "Ball </script>");
+    CHECK(comparison["tolerance"] == 0.25);
+    CHECK(comparison["step_shown"].is_null());  // no row gave a finite answer
+    CHECK(comparison["rows"][0]["mistimed_impacts"] == 1);
+    CHECK(comparison["rows"][0]["reference_impacts"] == 3);
+    CHECK(comparison["rows"][0]["time"] == 1.5);
     CHECK(comparison["rows"][0]["label"] == "pbd, dt = 1/240, 4 substeps");
     CHECK(comparison["rows"][0]["position_max"].is_null());
     CHECK(comparison["missed"][0] == json({{"row", 0}, {"times", {0.5}}, {"names", {"ball - floor"}}}));
@@ -95,6 +104,22 @@ TEST_CASE("page data have what the page asks for", "[page_data]")
     CHECK(series["energy_error"][1] == -0.5);
     CHECK(series["energy_error"][2].is_null());  // the reference has ended
     CHECK(series["position_max"].size() == 3);
+}
+
+TEST_CASE("charts over time open at the verdict's step: the cheapest that is enough, else the best", "[page_data]")
+{
+    Comparison comparison = some_comparison();
+    CompareRow coarse = comparison.rows[0], fine = comparison.rows[0];
+    coarse.dt = 0.5;
+    coarse.position_max = 0.75;
+    coarse.missed_impacts = fine.missed_impacts = 1;
+    fine.dt = 0.125;
+    fine.position_max = 0.5;
+    comparison.rows = {fine, coarse};
+    const auto shown = [&] { return json::parse(comparison_data(ball_scene(), comparison))["step_shown"]; };
+    CHECK(shown() == 0.125);
+    comparison.tolerance = 1;
+    CHECK(shown() == 0.5);  // the same CPU time: the larger step
 }
 
 TEST_CASE("the side view has gravity down, the motion across, and planes seen edge-on", "[page_data]")

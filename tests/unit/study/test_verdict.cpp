@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <limits>
 
 using namespace carom;
@@ -68,7 +69,11 @@ TEST_CASE("the verdict names the largest step that is good enough, and its price
     CHECK(sentence(c, 0) ==
           "The event method is right: event is off by at most 3.1e-15 m and takes 10 us of CPU; the cheapest stepper "
           "within 1 mm, velocity at dt = 2e-4, costs 310 times the event run.");
-    CHECK(sentence(c, 1) == "velocity needs dt <= 2e-4 for 1 mm; that costs 310 times the event run.");
+    CHECK(sentence(c, 1) ==
+          "velocity: of the steps tried, dt = 2e-4 is the largest from which all smaller ones keep within a position "
+          "error "
+          "of 1 mm; it costs 310 times the event run; the next larger, 1/60, is off by 10 cm (to close in, try --dt "
+          "1/60:2e-4:log5).");
 }
 
 TEST_CASE("a method that never gets there is told its best", "[verdict]")
@@ -78,7 +83,9 @@ TEST_CASE("a method that never gets there is told its best", "[verdict]")
     CHECK(
         sentence(c, 0).find("; no stepper tried comes within 1 mm (the best, pbd at dt = 1/2400, is off by 3.2 cm).") !=
         std::string::npos);
-    CHECK(sentence(c, 1) == "pbd: no step tried reaches 1 mm (best 3.2 cm at dt = 1/2400, 40 times the event run).");
+    CHECK(sentence(c, 1) ==
+          "pbd: no step tried keeps within a position error of 1 mm (best 3.2 cm at dt = 1/2400, 40 times the event "
+          "run).");
 }
 
 TEST_CASE("missed impacts are counted, and a small error does not excuse them", "[verdict]")
@@ -86,9 +93,10 @@ TEST_CASE("missed impacts are counted, and a small error does not excuse them", 
     CompareRow blind = step_row("pbd", 1.0 / 60, 5e-4, 1e-6);
     blind.missed_impacts = 1;
     const Comparison c = comparison({event_row(0, 1e-5), blind});
-    CHECK(sentence(c, 1) ==
-          "pbd: no step tried reaches 1 mm without missing an impact (0.5 mm at dt = 1/60, 0.1 times the event run); "
-          "it misses 1 of 1 impacts at dt = 1/60.");
+    CHECK(
+        sentence(c, 1) ==
+        "pbd: no step tried keeps within a position error of 1 mm without missing an impact (0.5 mm at dt = 1/60, 0.1 "
+        "times the event run); it misses 1 of 1 impacts at dt = 1/60.");
 }
 
 TEST_CASE("impacts that come too early or late are not lost, but they are told", "[verdict]")
@@ -96,9 +104,11 @@ TEST_CASE("impacts that come too early or late are not lost, but they are told",
     CompareRow late = step_row("pbd", 1e-4, 5e-4, 1e-5);
     late.reference_impacts = 35;
     late.missed_impacts = late.mistimed_impacts = 20;
+    late.invented_impacts = 29;
     CHECK(sentence(comparison({event_row(0, 1e-5), late}), 1) ==
-          "pbd needs dt <= 1e-4 for 1 mm; that costs 1 times the event run, and 20 of 35 impacts come more than 3 "
-          "steps early or late.");
+          "pbd: the only step tried, dt = 1e-4, keeps within a position error of 1 mm; it costs 1 times the event run, "
+          "and "
+          "20 of 35 impacts come late (more than 3 steps early or late), and it invents 9.");
     late.mistimed_impacts = 19;
     CHECK_THAT(sentence(comparison({event_row(0, 1e-5), late}), 1),
                Contains("without missing an impact") && Contains("misses 1 of 35"));
@@ -109,14 +119,15 @@ TEST_CASE("being right at the end does not make up for being wrong before", "[ve
     CompareRow bounced = step_row("pbd", 0.01, 0.09, 1e-5);
     bounced.position_final_max = 1e-15;
     CHECK_THAT(sentence(comparison({event_row(0, 1e-5), bounced}), 1),
-               Contains("no step tried reaches 1 mm (best 9 cm"));
+               Contains("no step tried keeps within a position error of 1 mm (best 9 cm"));
 }
 
 TEST_CASE("a lucky step is called one", "[verdict]")
 {
     const Comparison c =
         comparison({event_row(0, 1e-5), step_row("pbd", 1.0 / 60, 5e-4, 1e-5), step_row("pbd", 1.0 / 240, 0.2, 4e-5)});
-    CHECK_THAT(sentence(c, 1), Contains("needs dt <= 1/60") && Contains("fails again at dt = 1/240"));
+    CHECK_THAT(sentence(c, 1), Contains("dt = 1/60 keeps within") &&
+                                   Contains("but the smaller 1/240 is off by 20 cm: no step tried is safe"));
 }
 
 TEST_CASE("the event method is judged like the others", "[verdict]")
@@ -133,7 +144,9 @@ TEST_CASE("the event method is judged like the others", "[verdict]")
         row.message = "two balls on a third";
         row.time = 2.5;
         CHECK(sentence(comparison({row}), 0) ==
-              "event stopped early, at t = 2.5 s of 5 s (unresolved: two balls on a third), after 10 us of CPU.");
+              "event stopped early, at t = 2.5 s of 5 s (unresolved: two balls on a third), after 10 us of CPU; up to "
+              "t = 2.5 s "
+              "it is off by at most 0 m.");
     }
     SECTION("missed one")
     {
@@ -157,13 +170,37 @@ TEST_CASE("a reference that ends early says up to when figures hold", "[verdict]
 {
     CompareRow row = event_row(1e-12, 1e-5);
     row.position_final_max.reset();
-    Comparison c = comparison({row});
-    c.reference.until = 1.5;
+    Comparison c = comparison({row, step_row("pbd", 0.01, 0.2, 1e-5)});
+    c.reference.until = 1.0468123;
     c.reference.reason = "three spheres meet";
-    CHECK_THAT(sentence(c, 0), Contains("up to t = 1.5 s"));
+    CHECK_THAT(sentence(c, 2), Catch::Matchers::StartsWith("pbd up to t = 1.0468 s: no step tried"));
+    CHECK_THAT(sentence(c, 0), Contains("up to t = 1.0468 s"));
     CHECK(sentence(c, 1) ==
-          "The reference holds up to t = 1.5 s of 5 s (three spheres meet): errors and missed impacts are counted up "
-          "to there.");
+          "The reference holds up to t = 1.0468 s of 5 s (three spheres meet): errors and impacts are counted up to "
+          "there.");
+}
+
+TEST_CASE("a step that holds above one that does not is no answer, and the range to look in is told", "[verdict]")
+{
+    CompareRow blind = step_row("pbd", 1.0 / 3000, 9e-4, 1e-5);
+    blind.reference_impacts = 16;
+    blind.missed_impacts = 2;
+    blind.mistimed_impacts = 1;
+    const Comparison c = comparison({event_row(0, 1e-5), step_row("pbd", 1.0 / 2500, 8e-4, 1e-5), blind,
+                                     step_row("pbd", 1.0 / 4000, 7e-4, 3e-5), step_row("pbd", 1.0 / 5000, 6e-4, 4e-5)});
+    CHECK_THAT(sentence(c, 0), Contains("the cheapest stepper within 1 mm, pbd at dt = 1/4000, costs 3 times"));
+    CHECK(sentence(c, 1) ==
+          "pbd: of the steps tried, dt = 1/4000 is the largest from which all smaller ones keep within a position "
+          "error of 1 mm; it costs 3 times the event run; the next larger, 1/3000, misses 1 of 16 impacts (to close "
+          "in, try --dt 1/3000:1/4000:lin5).");
+    CHECK_THAT(
+        sentence(comparison({event_row(0, 1e-5), step_row("pbd", 0.02, 8e-4, 1e-5), step_row("pbd", 0.01, 4e-4, 2e-5)}),
+                 1),
+        Contains("all steps tried keep within") && Contains("the largest being dt = 0.02"));
+    CHECK_THAT(
+        sentence(comparison({event_row(0, 1e-5), step_row("pbd", 0.02, 8e-3, 1e-5), step_row("pbd", 0.01, 4e-4, 2e-5)}),
+                 1),
+        Contains("only the smallest, dt = 0.01, keeps within"));
 }
 
 TEST_CASE("a run that blows up is not the best", "[verdict]")
@@ -199,6 +236,15 @@ TEST_CASE("figures in words are short and mean what they say", "[verdict]")
     CHECK(step_text(0.001) == "0.001");
     CHECK(step_text(2e-4) == "2e-4");
     CHECK(step_text(1.0 / 3) == "1/3");
+    CHECK(step_text(0.0048403187030680965) == "0.00484");
+    CHECK(step_text(4.64158883361278e-5) == "4.642e-5");
+    CHECK(step_text(0.0012345) == "0.001234");
+    CHECK(step_text(0.0002154434690031884) == "2.154e-4");
+    CHECK(step_text(std::nextafter(1.0 / 240, 1)) == "1/240");
+    CHECK(three_digits(0.00104) == "0.00104");
+    CHECK(time_text(1.04679635511, "s") == "1.0468 s");
+    CHECK(time_text(2, "") == "2");
+    CHECK(length_text(0.00104, "m") == "1.04 mm");
     CHECK(length_text(0.032, "m") == "3.2 cm");
     CHECK(length_text(0.001, "m") == "1 mm");
     CHECK(length_text(4e-6, "m") == "4 um");

@@ -19,10 +19,10 @@ export const COLUMNS = [
   { key: "position_final_rms", title: "final position error, rms", kind: "number", unit: length, text: "Distance to the reference at the end: root mean square over spheres." },
   { key: "position_final_max", title: "final position error", kind: "number", unit: length, text: "Distance to the reference at the end: the sphere that is worst." },
   { key: "velocity_rms", title: "velocity error, rms", kind: "number", unit: speed, text: "Difference of velocity to the reference: root mean square over spheres and sample times." },
-  { key: "energy_error", title: "energy error", kind: "number", unit: none, text: "Greatest difference of energy to the reference, divided by the reference’s greatest kinetic energy." },
-  { key: "max_penetration", title: "deepest penetration", kind: "number", unit: length, text: "Deepest overlap seen; for discrete methods at the end of a substep, before correction." },
-  { key: "missed_impacts", title: "missed impacts", kind: "count", unit: none, text: "Impacts of the reference that the method did not notice." },
-  { key: "invented_impacts", title: "invented impacts", kind: "count", unit: none, text: "Impacts of the method that the reference does not have." },
+  { key: "energy_error", title: "energy error", kind: "number", unit: none, text: "Greatest difference of energy to the reference at a sample time, divided by the reference’s greatest kinetic energy." },
+  { key: "max_penetration", title: "deepest penetration", kind: "number", unit: length, text: "Deepest overlap seen; for discrete methods at the end of a substep, before correction, which a chart over time does not see." },
+  { key: "missed_impacts", title: "late or missed impacts", kind: "count", unit: none, text: "Impacts of the reference that the method did not find within 3 steps: those that came early or late, and those that never came. Counted up to the divergence." },
+  { key: "invented_impacts", title: "invented impacts", kind: "count", unit: none, text: "Impacts of the method that the reference does not have within 3 steps. Counted up to the divergence." },
   { key: "impacts", title: "impacts", kind: "count", unit: none, text: "Contacts that got an impulse." },
   { key: "rest_jitter", title: "jitter at rest", kind: "number", unit: speed, text: "Root mean square speed of bodies that rest in the reference." },
   { key: "divergence_time", title: "divergence time", kind: "number", unit: time, text: "First sample at which some sphere is further than a hundredth of the smallest radius from the reference; empty if never." },
@@ -32,6 +32,15 @@ export const COLUMNS = [
   { key: "pair_tests", title: "pair tests", kind: "count", unit: none, text: "Pairs of bodies examined: work that does not depend on the machine." },
   { key: "status", title: "status", kind: "text", unit: none, text: "How the run ended; “reached_end” is the good one." },
 ];
+
+/** What the table has in place of `missed_impacts`: its two parts (see rows.js). */
+const LATE = { key: "late", title: "late impacts", kind: "count", unit: none, text: "Impacts of the reference that came more than 3 steps early or late. Counted up to the divergence; a dash: it came before the first impact." };
+const LOST = { key: "lost", title: "missed impacts", kind: "count", unit: none, text: "Impacts of the reference that never came. Counted up to the divergence; a dash: it came before the first impact." };
+const BY_KEY = Object.fromEntries([...COLUMNS, LATE, LOST].map((column) => [column.key, column]));
+const FIRST = ["method", "position_max", "position_final_max", "energy_error", "max_penetration", "late", "lost", "invented_impacts", "divergence_time", "rest_jitter", "cpu_seconds", "status"];
+
+/** The table's columns: errors first, then what they cost, then the rest in the order of the file. The step stands beside the method. */
+export const TABLE_COLUMNS = [...FIRST, ...COLUMNS.map((c) => c.key).filter((key) => !FIRST.includes(key) && !["dt", "missed_impacts"].includes(key))].map((key) => BY_KEY[key]);
 
 export const COLUMN = Object.fromEntries(COLUMNS.map((column) => [column.key, column]));
 

@@ -52,7 +52,7 @@ export function placeLabels(items, solid, light, bounds) {
   const taken = [...solid];
   return items.map((item) => {
     let best = null;
-    for (const box of candidates({ ...item, rings: item.required ? 7 : 2 })) {
+    for (const box of candidates({ ...item, rings: item.required ? 7 : 4 })) {
       if (box.x < bounds.x || box.y < bounds.y || box.x + box.width > bounds.x + bounds.width || box.y + box.height > bounds.y + bounds.height) continue;
       const cost = box.ring * 3 + taken.filter((t) => overlap(box, t)).length * HIT + light.filter((t) => overlap(box, t)).length;
       if (!best || cost < best.cost) best = { ...box, cost };

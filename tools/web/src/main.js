@@ -1,8 +1,9 @@
 // The page: verdicts in words, then what they rest on.
 
 import { h } from "./dom.js";
-import { formatNumber, formatQuantity } from "./format.js";
+import { formatNumber, formatQuantity, isNumber } from "./format.js";
 import { missedFigure } from "./missed_chart.js";
+import { withLateAndLost } from "./rows.js";
 import { glossary, rowsTable } from "./table.js";
 import { timeFigure } from "./time_chart.js";
 import { viewFigure } from "./view.js";
@@ -13,7 +14,8 @@ const KINDS = { closed_form: "closed form", multiprecision: "independent multipr
 
 /** What may be absent is made empty, so that nothing later has to ask. */
 function complete(comparison, index) {
-  return { title: `Comparison ${index + 1}`, description: "", verdict: [], rows: [], ...comparison, units: comparison.units ?? {}, reference: comparison.reference ?? {}, id: `comparison-${index + 1}` };
+  const rows = withLateAndLost(comparison.rows ?? []);
+  return { title: `Comparison ${index + 1}`, description: "", verdict: [], ...comparison, rows, units: comparison.units ?? {}, reference: comparison.reference ?? {}, id: `comparison-${index + 1}` };
 }
 
 function verdictBox(comparison) {
@@ -23,10 +25,13 @@ function verdictBox(comparison) {
     h("p", { class: "lead" }, first), others.length ? h("ul", {}, ...others.map((text) => h("li", {}, text))) : null);
 }
 
-function referenceLine({ reference, until, units, rows }) {
+function referenceLine({ reference, until, units, rows, tolerance }) {
   const unit = units.length ? ` ${units.length}` : "";
   const parts = [`${rows.length} ${rows.length === 1 ? "run" : "runs"}`];
-  if (until !== undefined && until !== null) parts.push(`compared up to t = ${formatQuantity(until, units.time ?? "", 4)}`);
+  const time = (t) => formatQuantity(t, units.time ?? "", 5);
+  const short = isNumber(reference.until) && isNumber(until) && reference.until < until;
+  if (isNumber(until)) parts.push(short ? `run to t = ${time(until)}, compared up to t = ${time(reference.until)}` : `compared up to t = ${time(until)}`);
+  if (isNumber(tolerance)) parts.push(`tolerance: position error ${formatQuantity(tolerance, units.length ?? "")}`);
   if (reference.kind) parts.push(`reference: ${KINDS[reference.kind] ?? reference.kind}${reference.bound > 0 ? `, off by ${formatNumber(reference.bound, 2)}${unit} at most` : ""}`);
   if (reference.reason) parts.push(`the reference ends there: ${reference.reason}`);
   return h("p", { class: "facts" }, parts.join(" · "));
@@ -42,7 +47,7 @@ function section(comparison, alone) {
     }),
     timeFigure(comparison, {
       quantity: "penetration", title: "Penetration over time", axisName: "deepest overlap", unit: units.length ?? "",
-      caption: "How deep the deepest overlap is: sphere in sphere or in a plane. Rigid bodies have none.",
+      caption: "How deep the deepest overlap is at the sample times: sphere in sphere or in a plane. Rigid bodies have none. Samples see a stepper after its correction; the table’s deepest penetration is the one before, and larger.",
     }),
     timeFigure(comparison, {
       quantity: "position_max", title: "Position error over time", axisName: "greatest position error", unit: units.length ?? "",

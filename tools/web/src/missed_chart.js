@@ -5,41 +5,65 @@ import { h } from "./dom.js";
 import { figure } from "./figure.js";
 import { escapeHtml, formatNumber, formatQuantity, isNumber, slug, withUnit } from "./format.js";
 import { textWidth } from "./labels.js";
-import { rowLabel } from "./rows.js";
+import { isStepped, rowLabel, stepLabel } from "./rows.js";
 import { methodStyle } from "./styles.js";
 
 const STRIP = 30;
 const FONT_SIZE = 12.5;
 const MARK = "rect";
 
-/** Rows whose impacts could be counted, in their order. */
+/** Rows whose impacts could be counted, in their order; `count` is late and lost together, the times listed are those of both. */
 export function missedRows(comparison) {
   const lists = new Map((comparison.missed ?? []).map((m) => [m.row, m]));
   return comparison.rows.map((row, index) => {
     const list = lists.get(index);
-    return { row, index, times: list?.times ?? [], names: list?.names ?? [], count: isNumber(row.missed_impacts) ? row.missed_impacts : list ? list.times.length : null };
-  }).filter(({ count }) => count !== null);
+    return { row, index, times: list?.times ?? [], names: list?.names ?? [], late: row.late ?? 0, lost: row.lost, count: row.lost === null ? null : row.lost + (row.late ?? 0) };
+  });
+}
+
+const countText = ({ late, lost }) => [lost ? `${formatNumber(lost)} missed` : "", late ? `${formatNumber(late)} late` : ""].filter(Boolean).join(", ");
+
+/** "pbd (dt = 1/60, 1/240), naive": rows in few words. */
+function together(strips) {
+  const steps = new Map();
+  for (const { row } of strips) {
+    const name = isStepped(row) ? /^(.*?), dt = [^,]*(.*)$/.exec(rowLabel(row)) : null;
+    const key = name ? name[1] + name[2] : rowLabel(row);
+    steps.set(key, [...(steps.get(key) ?? []), ...(name ? [stepLabel(row)] : [])]);
+  }
+  return [...steps].map(([name, list]) => (list.length ? `${name} (dt = ${list.join(", ")})` : name)).join("; ");
+}
+
+/** What was not, or only partly, looked at: counting ends where a run leaves the reference. */
+function judgedText(strips) {
+  const never = strips.filter((s) => s.count === null);
+  const partly = strips.filter((s) => s.count !== null && isNumber(s.row.divergence_time));
+  return [
+    never.length ? `Not counted, for they leave the reference before its first impact: ${together(never)}.` : "",
+    partly.length ? `Counted only until they leave the reference (divergence time below): ${together(partly)}.` : "",
+  ];
 }
 
 export function missedFigure(comparison) {
   const strips = missedRows(comparison);
+  const counted = strips.filter((s) => s.count !== null);
   if (!strips.length) return null;
   const timeUnit = comparison.units.time ?? "";
-  const total = strips.reduce((sum, s) => sum + s.count, 0);
-  const clean = strips.filter((s) => s.count === 0);
-  const hit = strips.filter((s) => s.count > 0);
-  const title = "Missed impacts";
+  const total = counted.reduce((sum, s) => sum + s.count, 0);
+  const clean = counted.filter((s) => s.count === 0 && !isNumber(s.row.divergence_time));
+  const hit = counted.filter((s) => s.count > 0);
+  const title = "Late and missed impacts";
   const csv = {
     name: () => `${slug(comparison.title)}-missed-impacts`,
-    table: () => [["row", "label", "missed_impacts", "time", "contact"],
-      strips.flatMap((s) => (s.times.length ? s.times.map((t, i) => [s.index, rowLabel(s.row), s.count, t, s.names[i]]) : [[s.index, rowLabel(s.row), s.count, "", ""]]))],
+    table: () => [["row", "label", "missed", "late", "time", "contact"],
+      strips.flatMap((s) => (s.times.length ? s.times.map((t, i) => [s.index, rowLabel(s.row), s.lost, s.row.late, t, s.names[i]]) : [[s.index, rowLabel(s.row), s.lost, s.row.late, "", ""]]))],
   };
-  const cleanText = clean.length ? `None missed: ${clean.map((s) => rowLabel(s.row)).join("; ")}.` : "";
+  const cleanText = [clean.length ? `None missed, none late, to the end: ${together(clean)}.` : "", ...judgedText(strips)].filter(Boolean).join(" ");
   if (total === 0) {
-    return figure({ title, className: "full", caption: "No method missed an impact of the reference.", body: [h("p", { class: "note" }, cleanText)], csv });
+    return figure({ title, className: "full", caption: clean.length === strips.length ? "No method missed an impact of the reference." : "Where impacts were counted, none was missed.", body: [h("p", { class: "note" }, cleanText)], csv });
   }
 
-  const names = hit.map((s) => [`${rowLabel(s.row)}:  `, `${formatNumber(s.count)} missed`]);
+  const names = hit.map((s) => [`${rowLabel(s.row)}:  `, countText(s)]);
   const nameWidth = Math.max(...names.map(([row, count]) => textWidth(row, FONT_SIZE) + textWidth(count, FONT_SIZE, 700)));
   const option = ({ narrow }) => ({
     animation: false, textStyle: { fontFamily: FONT, color: INK },
@@ -48,11 +72,11 @@ export function missedFigure(comparison) {
       trigger: "item",
       formatter: (p) => {
         const strip = hit[p.data.strip];
-        return `<b>${escapeHtml(rowLabel(strip.row))}</b><br>missed at t = ${escapeHtml(formatQuantity(strip.times[p.data.at], timeUnit, 5))}` +
+        return `<b>${escapeHtml(rowLabel(strip.row))}</b><br>missed or late, at t = ${escapeHtml(formatQuantity(strip.times[p.data.at], timeUnit, 5))}` +
           (strip.names[p.data.at] ? `<br>${escapeHtml(strip.names[p.data.at])}` : "");
       },
     }),
-    xAxis: axis(withUnit("time", timeUnit), { nameLocation: "middle", nameGap: 32, min: 0, max: comparison.until, axisLabel: { formatter: (v) => formatNumber(v) } }),
+    xAxis: axis(withUnit("time", timeUnit), { nameLocation: "middle", nameGap: 32, min: 0, max: Math.min(comparison.until, comparison.reference.until ?? comparison.until), axisLabel: { formatter: (v) => formatNumber(v) } }),
     yAxis: {
       type: "category", inverse: true, data: names.map(([row, count]) => `${row}{n|${count}}`),
       axisLine: { show: !narrow, lineStyle: { color: "#8895a3" } }, axisTick: { show: false }, splitLine: { show: true, lineStyle: { color: "#e3e8ee" } },
@@ -67,13 +91,13 @@ export function missedFigure(comparison) {
     }],
   });
   const chart = makeChart({
-    label: `Missed impacts over time, ${comparison.title}: ${hit.map((s) => `${rowLabel(s.row)} ${s.count}`).join(", ")}`,
+    label: `Late and missed impacts over time, ${comparison.title}: ${hit.map((s) => `${rowLabel(s.row)} ${countText(s)}`).join("; ")}`,
     height: (width) => hit.length * (width < 520 ? 40 : STRIP) + 66, option,
   });
   const shortened = hit.some((s) => s.times.length < s.count) ? " Where there are very many, only the first are marked." : "";
   return figure({
     title, csv, 
-    caption: `Impacts of the reference that a method did not notice, each marked at its time.${shortened}`,
+    caption: `Impacts of the reference that never came (missed) or came more than 3 steps early or late (late), each marked at its time.${shortened}`,
     body: [chart.element, h("p", { class: "note" }, cleanText)],
   });
 }

@@ -1,6 +1,6 @@
 // All rows with all columns. Headings sort; numbers are short here and whole in the file and in the cell's title.
 
-import { COLUMNS } from "./columns.js";
+import { COLUMNS, TABLE_COLUMNS } from "./columns.js";
 import { download, toCsv } from "./csv.js";
 import { h } from "./dom.js";
 import { formatQuantity, isNumber, slug } from "./format.js";
@@ -24,7 +24,9 @@ function compare(a, b) {
 
 export function rowsTable(comparison) {
   const { rows, units } = comparison;
-  const columns = COLUMNS.filter((c) => c.key === "method" || rows.some((row) => row[c.key] !== undefined));
+  const filled = (key) => rows.some((row) => row[key] !== undefined && row[key] !== null && row[key] !== "");
+  const always1 = (key) => rows.every((row) => (row[key] ?? 1) === 1);
+  const columns = TABLE_COLUMNS.filter(({ key }) => key === "method" || (filled(key) && !(["substeps", "passes"].includes(key) && always1(key))));
   const body = h("tbody", {});
   let sorted = { key: null, down: false };
 
@@ -69,13 +71,15 @@ export function rowsTable(comparison) {
   }, "CSV");
   return h("div", { class: "figure full" },
     h("div", { class: "figure-head" }, h("h3", {}, "All figures"), save),
-    h("p", { class: "caption" }, "One row a run. Choose a heading to sort by it; what each column means stands at the end of the page."),
+    h("p", { class: "caption" }, "One row a run, errors first; scroll to the right for what else was measured. Choose a heading to sort by it; what each column means stands at the end of the page."),
     h("div", { class: "table-box", tabindex: "0", role: "region", "aria-label": `All figures of ${comparison.title}` },
       h("table", {}, h("thead", {}, h("tr", {}, ...heads)), body)));
 }
 
+const GLOSSARY = [...COLUMNS, ...TABLE_COLUMNS.filter((c) => !COLUMNS.includes(c))];
+
 export function glossary() {
   return h("details", { class: "glossary", id: "glossary" },
     h("summary", {}, "What the columns mean"),
-    h("dl", {}, ...COLUMNS.map((c) => h("div", {}, h("dt", {}, c.title, " ", h("code", {}, c.key)), h("dd", {}, c.text)))));
+    h("dl", {}, ...GLOSSARY.map((c) => h("div", {}, h("dt", {}, c.title, " ", h("code", {}, c.key)), h("dd", {}, c.text)))));
 }

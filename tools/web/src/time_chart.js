@@ -66,7 +66,8 @@ export function timeFigure(comparison, what) {
     return figure({ title: what.title, caption: what.caption, className: "full", body: [h("p", {}, "None: no run had an overlap at any sample.")] });
   }
   const { steps, methods } = selections(comparison, series);
-  let selection = steps[Math.floor(steps.length / 2)]?.value ?? "step:";
+  const verdicts = steps.find(({ value }) => value === `step:${comparison.step_shown}`);
+  let selection = (verdicts ?? steps[Math.floor(steps.length / 2)])?.value ?? "step:";
   const timeUnit = comparison.units.time ?? "";
   const key = makeKey();
 
@@ -78,7 +79,7 @@ export function timeFigure(comparison, what) {
     const lines = linesOf(comparison, series, selection);
     const values = lines.flatMap(({ s }) => s[what.quantity]).filter(isNumber);
     const log = scale === "log" ? logAxis(values, { tickCount: 6, decades: DECADES }) : null;
-    const end = lines.flatMap(({ s }) => s.time).reduce((a, b) => Math.max(a, b), 0);
+    const end = lines.flatMap(({ s }) => s.time.filter((_, i) => isNumber(s[what.quantity][i]))).reduce((a, b) => Math.max(a, b), 0) || 1;
     key.element.hidden = !narrow;
     key.show(lines.map(({ style, name }) => ({ style, name })));
     const nameWidth = lines.reduce((w, l) => Math.max(w, textWidth(l.name, NAME.size, NAME.weight)), 0);

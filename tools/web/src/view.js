@@ -27,8 +27,9 @@ export function viewFigure(comparison) {
   const missedOf = (row) => comparison.missed?.find((m) => m.row === row)?.times ?? [];
   const worst = choices.reduce((best, row) => (missedOf(row).length > missedOf(best).length ? row : best), choices[0] ?? REFERENCE);
   const [start, end] = [view.times[0], view.times.at(-1)];
-  const state = { row: worst, mode: "overlay", time: end, seconds: 8, playing: false };
-  if (missedOf(worst).length) state.time = Math.min(end, missedOf(worst)[0] + AFTER_MISS * (end - start));
+  const known = Math.min(end, comparison.reference.until ?? end); // there is no reference to be drawn after that
+  const state = { row: worst, mode: "overlay", time: known, seconds: 8, playing: false };
+  if (missedOf(worst).length) state.time = Math.min(known, missedOf(worst)[0] + AFTER_MISS * (end - start));
 
   const canvas = h("canvas", { class: "view", role: "img" });
   const clock = h("output", { class: "clock" });
@@ -37,7 +38,7 @@ export function viewFigure(comparison) {
   const slider = h("input", { type: "range", id: sliderId, min: 0, max: 1000, step: 1, value: 0 });
   const ticks = h("div", { class: "ticks", "aria-hidden": "true" });
   const play = h("button", { type: "button", class: "play" }, "Play");
-  const next = h("button", { type: "button" }, "Next missed");
+  const next = h("button", { type: "button" }, "Next late or missed");
   const legend = h("p", { class: "view-key" });
 
   const draw = () => {
@@ -81,7 +82,7 @@ export function viewFigure(comparison) {
   const describe = () => {
     const missed = missedOf(state.row);
     const sofar = missed.filter((t) => t <= state.time).length;
-    clock.textContent = `t = ${formatQuantity(state.time, timeUnit, 4)}` + (missed.length ? ` · ${formatNumber(sofar)} of ${formatNumber(missed.length)} missed` : "");
+    clock.textContent = `t = ${formatQuantity(state.time, timeUnit, 4)}` + (missed.length ? ` · ${formatNumber(sofar)} of ${formatNumber(missed.length)} late or missed` : "");
     slider.value = String(Math.round((1000 * (state.time - start)) / (end - start || 1)));
     slider.setAttribute("aria-valuetext", clock.textContent);
     play.textContent = state.playing ? "Pause" : "Play";
@@ -95,7 +96,7 @@ export function viewFigure(comparison) {
     const lines = view.radius.length <= FEW;
     const filled = h("span", { class: "dot" });
     filled.style.background = view.color?.[0] || color;
-    legend.replaceChildren(...(row ? [h("span", {}, filled, `${rowLabel(row)} (filled${lines ? ", full line" : ""})`)] : []), h("span", {}, h("span", { class: "dot ghost" }), `reference (outline${lines ? ", dashed line" : ""})`));
+    legend.replaceChildren(...(row ? [h("span", {}, filled, `${rowLabel(row)} (filled${lines ? ", full line" : ""})`)] : []), h("span", {}, h("span", { class: "dot ghost" }), `reference (outline${lines ? ", dashed line" : ""})${known < end ? `, up to t = ${formatQuantity(known, timeUnit, 5)}` : ""}`));
     ticks.replaceChildren(...missedOf(state.row).slice(0, 400).map((t) => {
       const tick = h("i", {});
       tick.style.left = `${(100 * (t - start)) / (end - start || 1)}%`;
@@ -128,8 +129,8 @@ export function viewFigure(comparison) {
   next.addEventListener("click", () => {
     const missed = missedOf(state.row);
     const ahead = AFTER_MISS * (end - start);
-    const found = missed.find((t) => Math.min(end, t + ahead) > state.time + 1e-9 * (end - start)) ?? missed[0];
-    state.time = Math.min(end, found + ahead);
+    const found = missed.find((t) => Math.min(known, t + ahead) > state.time + 1e-9 * (end - start)) ?? missed[0];
+    state.time = Math.min(known, found + ahead);
     setPlaying(false);
   });
 
@@ -139,7 +140,7 @@ export function viewFigure(comparison) {
   const options = [{ options: choices.map((row) => ({ value: String(row), label: rowLabel(rows[row]) })) }];
   return figure({
     title: "What it looks like",
-    caption: choices.length ? `One run over the reference, from the side.${comparison.missed?.length ? " Red ticks below the time line: impacts that the run missed." : ""}` : "The reference, from the side.",
+    caption: choices.length ? `One run over the reference, from the side.${comparison.missed?.length ? " Red ticks below the time line: impacts that the run missed, or met more than 3 steps early or late." : ""}` : "The reference, from the side.",
     controls: [
       choices.length ? choice("Run", options, String(state.row), (value) => { state.row = Number(value); choose(); }) : null,
       choices.length && track(REFERENCE) ? toggle("Arrangement", [{ value: "overlay", label: "overlaid" }, { value: "beside", label: "side by side" }], state.mode, (value) => { state.mode = value; draw(); }) : null,

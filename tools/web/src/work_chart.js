@@ -6,7 +6,7 @@ import { choice, h } from "./dom.js";
 import { figure, makeKey } from "./figure.js";
 import { escapeHtml, formatDecade, formatNumber, formatQuantity, isNumber, powerOfTen, slug, withUnit } from "./format.js";
 import { placeLabels, samples, textSeries, textWidth } from "./labels.js";
-import { logAxis } from "./logaxis.js";
+import { farBelow, logAxis } from "./logaxis.js";
 import { groupRows, rowLabel, stepLabel } from "./rows.js";
 import { methodStyle } from "./styles.js";
 
@@ -18,7 +18,8 @@ const SYMBOL = 11; // px
 function labelsOf(lines, { grid, width, height, narrow }) {
   const names = narrow ? [] : lines.filter((l) => l.points.length)
     .map((l) => ({ text: l.group.name, at: l.pixels.at(-1), color: l.style.color, ...NAME, required: true, reach: 13 }));
-  const steps = lines.flatMap((l) => l.points.map((p, i) => ({ text: stepLabel(p.row), at: l.pixels[i], color: l.style.color, ...NOTE, required: false, reach: 8 })))
+  const ends = (l, i) => i === 0 || i === l.points.length - 1; // there is no room for more on a narrow page
+  const steps = lines.flatMap((l) => l.points.map((p, i) => ({ text: narrow && !ends(l, i) ? "" : stepLabel(p.row), at: l.pixels[i], color: l.style.color, ...NOTE, required: false, reach: 8 })))
     .filter((l) => l.text);
   const items = [...names, ...steps].map((l) => ({ ...l, x: l.at[0], y: l.at[1], width: textWidth(l.text, l.size, l.weight) }));
   const half = SYMBOL / 2;
@@ -50,7 +51,7 @@ function whiskers(points, x, color) {
 }
 
 export function workFigure(comparison) {
-  const { rows, units, reference } = comparison;
+  const { rows, units, reference, tolerance } = comparison;
   const errors = available(ERRORS, rows, true);
   const works = available(WORKS, rows, false);
   if (!errors.length || !works.length) return null;
@@ -62,11 +63,14 @@ export function workFigure(comparison) {
   const unitOf = (what) => COLUMN[what.key].unit(units);
   const drawable = (row) => isNumber(row[error.key]) && isNumber(row[work.key]);
 
-  const explain = (y) => {
+  const explain = (y, far) => {
     const missing = rows.filter((row) => !drawable(row)).map(rowLabel);
     const unit = unitOf(error);
     const parts = [];
-    if (rows.some((row) => drawable(row) && (y.floored(row[error.key])))) {
+    const distant = rows.filter((row) => drawable(row) && row[error.key] !== 0 && Math.abs(row[error.key]) <= far);
+    if (distant.length) {
+      parts.push(`Hollow symbols at the dotted line: far below this range, ${distant.map((row) => `${rowLabel(row)} at ${formatQuantity(row[error.key], unit, 2)}`).join("; ")}${rows.some((row) => row[error.key] === 0) ? ", or zero" : ""}.`);
+    } else if (rows.some((row) => drawable(row) && (y.floored(row[error.key])))) {
       parts.push(y.boundShown ? "Hollow symbols: no further from the reference than its own bound." : `Hollow symbols at the dotted line: zero${error.bounded && reference.bound > 0 ? ", or below the reference’s bound" : ""}.`);
     }
     if (error.bounded && reference.bound > 0 && !y.boundShown) parts.push(`The reference’s bound, ${formatNumber(reference.bound, 2)}${unit ? ` ${unit}` : ""}, lies far below this range.`);
@@ -79,10 +83,12 @@ export function workFigure(comparison) {
   const option = ({ width, height, narrow }) => {
     const bound = error.bounded ? reference.bound ?? 0 : 0;
     const shown = rows.filter(drawable);
-    const y = logAxis(shown.map((row) => row[error.key]), { bound, tickCount: 7 });
+    const limit = error.bounded && tolerance > 0 ? [tolerance] : [];
+    const far = farBelow([...shown.map((row) => row[error.key]), ...limit]);
+    const y = logAxis(shown.map((row) => row[error.key]), { bound, tickCount: 7, far, include: limit });
     const spread = work.seconds ? shown.flatMap((row) => [row.cpu_min, row.cpu_max]).filter((v) => v > 0) : [];
     const x = logAxis([...shown.map((row) => row[work.key]), ...spread], { tickCount: width < 480 ? 4 : 7 });
-    explain(y);
+    explain(y, far);
     key.element.hidden = !narrow;
     key.show(groups.map((g) => ({ style: methodStyle(g.method, g.variant), name: g.name })));
     const grid = { left: 58, right: 22, top: 42, bottom: 52, outerBoundsMode: "none" };
@@ -92,6 +98,9 @@ export function workFigure(comparison) {
       marks.push({ yAxis: Math.log10(y.floor), lineStyle: { type: [8, 5], color: "#444", width: 1.2 }, label: { formatter: `reference bound ${formatQuantity(bound, unitOf(error), 2)}`, position: "insideEndBottom", color: "#444", fontSize: 12, fontFamily: FONT } });
     } else if (y.floor !== null) marks.push(floorLine(y, "yAxis"));
     if (x.floor !== null) marks.push(floorLine(x, "xAxis"));
+    if (limit.length && Math.log10(tolerance) > y.min) {
+      marks.push({ yAxis: Math.log10(tolerance), lineStyle: { type: "solid", color: "#b97a00", width: 1.5 }, label: { formatter: `tolerance ${formatQuantity(tolerance, unitOf(error), 3)}`, position: "insideStartTop", color: "#7a5000", fontSize: 12, fontFamily: FONT } });
+    }
 
     const lines = groups.map((group) => {
       const points = group.rows.filter(({ row }) => drawable(row)).map((p) => ({ ...p, at: [x.place(p.row[work.key]), y.place(p.row[error.key])] }));
@@ -118,11 +127,11 @@ export function workFigure(comparison) {
         formatter: (p) => {
           const row = rows[p.data.row];
           const value = formatQuantity(row[error.key], unitOf(error), 4);
-          const below = y.floored(row[error.key]) && row[error.key] !== 0 ? " (below the reference’s bound)" : "";
+          const below = y.floored(row[error.key]) && row[error.key] !== 0 ? (Math.abs(row[error.key]) <= bound ? " (below the reference’s bound)" : " (far below this range)") : "";
           const span = work.seconds && row.cpu_max > row.cpu_min ? ` (${formatQuantity(row.cpu_min, "s")} to ${formatQuantity(row.cpu_max, "s")})` : "";
           return `<b>${escapeHtml(rowLabel(row))}</b><br>${escapeHtml(error.name)}: ${escapeHtml(value)}${below}<br>` +
             `${escapeHtml(work.name)}: ${escapeHtml(formatQuantity(row[work.key], unitOf(work), 4))}${span}` +
-            (isNumber(row.missed_impacts) ? `<br>missed impacts: ${row.missed_impacts}` : "");
+            (isNumber(row.lost) ? `<br>impacts missed: ${row.lost}${row.late === null ? "" : `, late: ${row.late}`}` : "<br>impacts not counted");
         },
       }),
       xAxis: axis(work.name + (work.seconds ? "" : " (count)"), { nameLocation: "middle", nameGap: 32, ...decades(x, (n) => formatDecade(n, work.seconds)) }),

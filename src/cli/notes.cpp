@@ -1,0 +1,47 @@
+#include "cli/notes.hpp"
+
+#include "io/problems.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace carom::cli {
+
+std::vector<std::string> ignored_options(const GivenOptions& given, const Method& method)
+{
+    const bool steps = step_options(method) != nullptr;
+    std::vector<std::string> notes;
+    for (const char* option : {"dt", "substeps", "passes", "order"})
+        if (!steps && given.contains(option))
+            notes.push_back(std::string("--") + option + " has no effect: " + std::string(name(method)) +
+                            " takes no steps (name a stepping method: --method pbd)");
+    if (given.contains("literal") && name(method) != "pbd")
+        notes.push_back("--literal has no effect: it is for --method pbd");
+    if (given.contains("kernel") && steps)
+        notes.push_back("--kernel has no effect: it is for the event method, not for " + std::string(name(method)));
+    return notes;
+}
+
+std::vector<std::string> unused_materials(const Scene& scene, const std::vector<std::string>& set)
+{
+    std::set<std::size_t> used;
+    for (const Sphere& sphere : scene.spheres) used.insert(static_cast<std::size_t>(sphere.material));
+    for (const Plane& plane : scene.planes) used.insert(static_cast<std::size_t>(plane.material));
+    std::vector<std::string> names;
+    for (const std::size_t material : used) names.push_back(scene.materials[material].name);
+    std::vector<std::string> notes;
+    for (const std::string& assignment : set) {
+        constexpr std::string_view section = "/materials/";
+        if (!assignment.starts_with(section)) continue;
+        const std::string material =
+            assignment.substr(section.size(), assignment.find_first_of("/=", section.size()) - section.size());
+        const bool known = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                       [&](const Material& each) { return each.name == material; });
+        if (known && std::find(names.begin(), names.end(), material) == names.end())
+            notes.push_back("--set " + assignment + " has no effect: no body is of the material \"" + material + "\"" +
+                            io::suggestion(material, names, "in use"));
+    }
+    return notes;
+}
+
+}  // namespace carom::cli
