@@ -49,7 +49,7 @@ struct TimeOfImpact {
     Vec3 normal = Vec3::Zero();  ///< at t, unit, from b (the plane) to a; zero if none
     Vec3 point = Vec3::Zero();   ///< of contact at t, on the surface of b (the plane) [length]
     double approach_speed = 0;   ///< at t, -(d gap / dt) >= 0 [length/time]
-    int level = 0;               ///< arithmetic that decided: 0 double, 1 double-double
+    int level = 0;               ///< arithmetic that decided: 0 double, 1 double-double, 2 exact
 
     explicit operator bool() const { return status != ImpactStatus::none; }
 };
