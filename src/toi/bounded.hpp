@@ -60,7 +60,12 @@ inline Bounded settled(const Dyadic& exact, int shift)
     Bounded out;
     out.value = exact.rounded(shift);
     out.sign = exact.sign();
-    out.error = out.sign == 0 ? 0 : 0x1p-103 * std::abs(out.value.high) + 0x1p-1073;
+    constexpr double small = 0x1p-960, underflow = 0x1p-1073;
+    out.error = 0x1p-103 * std::abs(out.value.high);
+    if (std::abs(out.value.high) < small) {
+        const bool is_exact = shift == 0 && (exact - Dyadic(out.value)).sign() == 0;
+        out.error = is_exact ? 0 : out.error + underflow;
+    }
     return out;
 }
 

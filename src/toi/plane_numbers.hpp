@@ -67,7 +67,10 @@ PlaneNumbers<Number> plane_numbers(const BoundedNumber<Number>& h, const Bounded
         pull.value = -g.value;
         return {h, w, g, pull, 0, 0, 0};
     }
-    const int length = exponent_of(sizes[0] > 0 ? sizes[0] : sizes[1]);
+    // From h = 0 the only length is that of the way to the apex.
+    const int length = sizes[0] > 0   ? exponent_of(sizes[0])
+                       : sizes[2] > 0 ? 2 * exponent_of(sizes[1]) - exponent_of(sizes[2])
+                                      : exponent_of(sizes[1]);
     int time = std::numeric_limits<int>::max();
     if (sizes[1] > 0) time = length - exponent_of(sizes[1]);
     if (sizes[2] > 0) time = std::min(time, floor_half(length - exponent_of(sizes[2])));

@@ -71,10 +71,12 @@ TimeOfImpact time_of_impact(const MovingSphere& a, const MovingSphere& b)
     out.level = time.level;
     if (time.status == ImpactStatus::none) return out;
     const DoubleDouble t = time.sharp;
-    const Vec3 normal = direction(motion.r + t * (motion.v + (DoubleDouble(0.5) * t) * motion.a));
+    const DoubleDouble3 velocity = motion.v + t * motion.a;
+    Vec3 normal = direction(motion.r + t * (motion.v + (DoubleDouble(0.5) * t) * motion.a));
+    // From more than 2^100 contact distances away no digit of the contact is left, only that they approach.
+    if (normal.isZero(0) && time.t > 0) normal = -direction(velocity);
     // Centres that coincide at relative speed 0 can only part.
     if (normal.isZero(0)) return out;
-    const DoubleDouble3 velocity = motion.v + t * motion.a;
     out.status = time.status;
     out.t = time.t;
     out.t_lo = time.t_lo;

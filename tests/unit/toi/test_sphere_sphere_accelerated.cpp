@@ -1,10 +1,10 @@
 #include "toi/sphere_sphere_accelerated.hpp"
 
+#include "adversary/quartic_oracle.hpp"
 #include "support/random.hpp"
 #include "toi/accelerated_enclosure.hpp"
 #include "toi/scaling.hpp"
 #include "toi/sphere_sphere.hpp"
-#include "unit/toi/accelerated_oracle.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

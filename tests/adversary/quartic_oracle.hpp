@@ -73,15 +73,20 @@ struct AcceleratedTruth {
     Float200 t = 0;
 };
 
-inline AcceleratedTruth exact_accelerated(const AcceleratedMotion& m)
+inline AcceleratedTruth exact_accelerated(const Real3<Float200>& r, const Real3<Float200>& v, const Real3<Float200>& a,
+                                          const Float200& s)
 {
-    const auto r = lift<Float200>(m.r), v = lift<Float200>(m.v), a = lift<Float200>(m.a);
-    const Float200 s = m.contact_distance;
     const Polynomial f{dot(r, r) - s * s, 2 * dot(r, v), dot(v, v) + dot(r, a), dot(v, a), dot(a, a) / 4};
-    const Polynomial rate = derivative(f);
+    const Polynomial rate = derivative(f), bend = derivative(rate);
     AcceleratedTruth truth;
-    if (f[0] <= 0 && rate[0] < 0) return {RootKind::impact, false, false, 0};
-    if (f[0] <= 0 && rate[0] == 0 && f[2] <= 0) return {RootKind::pressed, false, false, 0};
+    if (f[0] <= 0) {
+        // What comes first after the start: rate, its rate, and so on.
+        const Float200& first = rate[0] != 0 ? rate[0] : bend[0] != 0 ? bend[0] : f[3] != 0 ? f[3] : f[4];
+        if (first < 0) {
+            truth.kind = rate[0] < 0 ? RootKind::impact : RootKind::pressed;
+            return truth;
+        }
+    }
     Float200 bound = 0;
     for (int i = 0; i < 4; ++i) bound += abs(f[i] / f[4]);
     bound += 1;
@@ -92,7 +97,6 @@ inline AcceleratedTruth exact_accelerated(const AcceleratedMotion& m)
     const auto offer = [&](const Float200& t) {
         if (first < 0 || t < first) first = t;
     };
-    const Polynomial bend = derivative(rate);
     for (const Float200& t : zeros)
         if (value(rate, t) < 0) offer(t);
     for (const Float200& t : turns) {
@@ -108,6 +112,11 @@ inline AcceleratedTruth exact_accelerated(const AcceleratedMotion& m)
         truth.t = first;
     }
     return truth;
+}
+
+inline AcceleratedTruth exact_accelerated(const AcceleratedMotion& m)
+{
+    return exact_accelerated(lift<Float200>(m.r), lift<Float200>(m.v), lift<Float200>(m.a), m.contact_distance);
 }
 
 }  // namespace carom::test
