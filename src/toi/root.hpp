@@ -15,7 +15,7 @@ enum class RootKind : std::uint8_t {
 struct Root {
     RootKind kind = RootKind::none;
     double t = 0;            ///< from the common time of the query; meaningful for impact [time]
-    std::uint8_t level = 0;  ///< arithmetic that decided: 0 double, 1 double-double
+    std::uint8_t level = 0;  ///< arithmetic that decided: 0 double, 1 double-double, 2 exact
 };
 
 }  // namespace carom

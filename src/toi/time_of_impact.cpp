@@ -1,10 +1,11 @@
 /// \file
-/// The kernels as a public query: differences in, one value out.
+/// The public query: exact differences in, one value out.
 #include <carom/time_of_impact.hpp>
 
-#include "math/double_double.hpp"
-#include "toi/sphere_plane.hpp"
-#include "toi/sphere_sphere_accelerated.hpp"
+#include "toi/accelerated_enclosure.hpp"
+#include "toi/certified_time.hpp"
+#include "toi/scaling.hpp"
+#include "toi/scene_plane.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,21 @@ namespace carom {
 
 namespace {
 
+constexpr double largest_number = 0x1p1000;
+
+bool in_range(const Vec3& a)
+{
+    return std::abs(a.x()) <= largest_number && std::abs(a.y()) <= largest_number && std::abs(a.z()) <= largest_number;
+}
 bool in_range(const MovingSphere& s)
 {
-    return s.position.allFinite() && s.velocity.allFinite() && s.acceleration.allFinite() && s.radius >= 0 &&
-           std::isfinite(s.radius);
+    return in_range(s.position) && in_range(s.velocity) && in_range(s.acceleration) && s.radius >= 0 &&
+           s.radius <= largest_number;
+}
+
+DoubleDouble3 difference(const Vec3& a, const Vec3& b)
+{
+    return {two_sum(a.x(), -b.x()), two_sum(a.y(), -b.y()), two_sum(a.z(), -b.z())};
 }
 
 Vec3 position_at(const MovingSphere& s, double t)
@@ -25,29 +37,26 @@ Vec3 position_at(const MovingSphere& s, double t)
 }
 
 /// x / |x| whatever its exponent; zero for zero.
-Vec3 direction(const Vec3& x)
+Vec3 direction(const DoubleDouble3& x)
 {
-    const double largest = x.cwiseAbs().maxCoeff();
-    if (!(largest > 0)) return Vec3::Zero();
-    const Vec3 scaled = x / largest;
-    return scaled / std::sqrt(scaled.squaredNorm());
+    const Vec3 heads(x.x.high, x.y.high, x.z.high);
+    const double most = largest(heads);
+    if (!(most > 0)) return Vec3::Zero();
+    const Vec3 shorter = scaled(heads, -exponent_of(most));
+    return shorter / std::sqrt(shorter.squaredNorm());
 }
 
-/// n.x - d: a dot product in twice the working precision (Ogita, Rump, Oishi, SIAM J. Sci. Comput. 26 (2005), Dot2).
-DoubleDouble dot_less(const Vec3& n, const Vec3& x, double d)
+/// All by one power of two, which leaves the time as it is: products of small numbers must not underflow.
+ScenePlane scaled_up(ScenePlane p)
 {
-    Sum sum{-d, 0};
-    for (int k = 0; k < 3; ++k) {
-        const Sum product = two_product(n[k], x[k]), next = two_sum(sum.high, product.high);
-        sum = {next.high, sum.low + (next.low + product.low)};
-    }
-    return two_sum(sum.high, sum.low);
-}
-
-ImpactStatus status_of(const Root& root)
-{
-    if (root.kind == RootKind::none || !std::isfinite(root.t)) return ImpactStatus::none;
-    return root.t > 0 ? ImpactStatus::impact : ImpactStatus::touching;
+    constexpr double small = 0x1p-300;
+    constexpr int shift = 500;
+    const double most = std::max({largest(p.position), largest(p.velocity), largest(p.acceleration), std::abs(p.offset),
+                                  p.half_thickness, p.radius});
+    if (most >= small) return p;
+    for (double* x : {&p.offset, &p.half_thickness, &p.radius}) *x = std::ldexp(*x, shift);
+    for (Vec3* x : {&p.position, &p.velocity, &p.acceleration}) *x = scaled(*x, shift);
+    return p;
 }
 
 }  // namespace
@@ -55,46 +64,59 @@ ImpactStatus status_of(const Root& root)
 TimeOfImpact time_of_impact(const MovingSphere& a, const MovingSphere& b)
 {
     if (!in_range(a) || !in_range(b) || !(a.radius + b.radius > 0)) return {};
-    const AcceleratedMotion motion{a.position - b.position, a.velocity - b.velocity, a.acceleration - b.acceleration,
-                                   a.radius + b.radius};
-    const Root root = sphere_sphere_accelerated_root(motion);
+    const ExactMotion motion{difference(a.position, b.position), difference(a.velocity, b.velocity),
+                             difference(a.acceleration, b.acceleration), two_sum(a.radius, b.radius)};
+    const CertifiedTime time = certified_time(motion);
     TimeOfImpact out;
-    out.level = root.level;
-    const Vec3 separation = motion.r + root.t * (motion.v + (0.5 * root.t) * motion.a);
-    const Vec3 normal = direction(separation);
+    out.level = time.level;
+    if (time.status == ImpactStatus::none) return out;
+    const DoubleDouble t = time.sharp;
+    const DoubleDouble3 velocity = motion.v + t * motion.a;
+    Vec3 normal = direction(motion.r + t * (motion.v + (DoubleDouble(0.5) * t) * motion.a));
+    // From more than 2^100 contact distances away no digit of the contact is left, only that they approach.
+    if (normal.isZero(0) && time.t > 0) normal = -direction(velocity);
     // Centres that coincide at relative speed 0 can only part.
-    if (status_of(root) == ImpactStatus::none || normal.isZero(0)) return out;
-    out.status = status_of(root);
-    out.t = root.t;
+    if (normal.isZero(0)) return out;
+    out.status = time.status;
+    out.t = time.t;
+    out.t_lo = time.t_lo;
+    out.t_hi = time.t_hi;
     out.normal = normal;
-    out.point = position_at(b, root.t) + b.radius * normal;
-    out.approach_speed = std::max(0.0, -normal.dot(motion.v + root.t * motion.a));
+    out.point = position_at(b, time.t) + b.radius * normal;
+    out.approach_speed = std::max(0.0, -normal.dot(Vec3(velocity.x.high, velocity.y.high, velocity.z.high)));
     return out;
 }
 
 TimeOfImpact time_of_impact(const MovingSphere& sphere, const Plane& plane)
 {
-    if (!in_range(sphere) || !plane.normal.allFinite() || !std::isfinite(plane.offset)) return {};
+    if (!in_range(sphere) || !in_range(plane.normal) || !(std::abs(plane.offset) <= largest_number)) return {};
     const double half_thickness = plane.thickness.value_or(0) / 2;
-    if (!(half_thickness >= 0 && std::isfinite(half_thickness))) return {};
+    if (!(half_thickness >= 0 && half_thickness <= largest_number)) return {};
 
-    const DoubleDouble height = dot_less(plane.normal, sphere.position, plane.offset);
-    const bool behind = plane.thickness && height.high < 0;
-    const Vec3 normal = behind ? Vec3(-plane.normal) : plane.normal;
-    const DoubleDouble gap = (behind ? -height : height) - DoubleDouble(half_thickness) - DoubleDouble(sphere.radius);
-    const double h = static_cast<double>(gap), w = static_cast<double>(dot_less(normal, sphere.velocity, 0)),
-                 g = static_cast<double>(dot_less(normal, sphere.acceleration, 0));
-    const Root root = plane_root(h, w, g);
+    ScenePlane over{plane.normal,    plane.offset,    half_thickness,     sphere.radius,
+                    sphere.position, sphere.velocity, sphere.acceleration};
+    if (plane.thickness) {
+        const Bounded height = over.bounded_height();
+        if (height.open ? over.height().sign() < 0 : height.sign < 0) {
+            over.normal = -over.normal;
+            over.offset = -over.offset;
+        }
+    }
+    const CertifiedTime time = certified_time(scaled_up(over));
     TimeOfImpact out;
-    out.level = root.level;
-    out.status = status_of(root);
+    out.level = time.level;
+    out.status = time.status;
     if (out.status == ImpactStatus::none) return out;
-    out.t = root.t;
-    out.normal = normal;
+    out.t = time.t;
+    out.t_lo = time.t_lo;
+    out.t_hi = time.t_hi;
+    out.normal = over.normal;
+    const DoubleDouble t = time.sharp, half = 0.5;
+    const DoubleDouble h = over.bounded_h().value, w = over.bounded_w().value, g = over.bounded_g().value;
     // Below the centre by the radius, and by the gap that is left where the motion began inside.
-    const double gap_then = h <= 0 ? h + root.t * (w + (0.5 * root.t) * g) : 0;
-    out.point = position_at(sphere, root.t) - (sphere.radius + gap_then) * normal;
-    out.approach_speed = std::max(0.0, -(w + root.t * g));
+    const double gap_then = h.high <= 0 ? (h + t * (w + half * t * g)).high : 0;
+    out.point = position_at(sphere, time.t) - (sphere.radius + gap_then) * out.normal;
+    out.approach_speed = std::max(0.0, -(w + t * g).high);
     return out;
 }
 

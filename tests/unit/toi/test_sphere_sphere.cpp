@@ -195,6 +195,27 @@ TEST_CASE("lengths of 1e-160 and 1e150 neither underflow nor overflow")
     }
 }
 
+TEST_CASE("signs that no double-double can tell are taken exactly")
+{
+    // Beside 1 the decisive part is 1e-200, its square beyond the range of doubles.
+    const double e = 1e-200;
+    CHECK(sphere_sphere_root({1, e, 0}, {-1, 0, 0}, 1).kind == RootKind::impact);  // C = e^2 > 0: later than now ...
+    CHECK(sphere_sphere_root({1, e, 0}, {-1, 0, 0}, 1).level == 2);
+    CHECK(sphere_sphere_root({1, e, 0}, {e, -1, 0}, 1).kind == RootKind::none);  // B = 0
+    CHECK(sphere_sphere_root({1, e, 0}, {0, -1, 0}, 1).kind == RootKind::none);  // D = 0: grazes
+    const Root tiny = sphere_sphere_root({1, e, 0}, {-e, -1, 0}, 1);             // D = 3 e^2, C = e^2, B = -2 e
+    CHECK(tiny.kind == RootKind::impact);
+    CHECK(tiny.level == 2);
+    CHECK(tiny.t == Approx(e / (2 + std::sqrt(3))).epsilon(1e-15));
+    CHECK(approach_sign({1, e, 0}, {e, -1, 0}) == 0);
+    CHECK(approach_sign({1, e, e}, {e, -1, e}) == 1);
+    CHECK(approach_sign({1, e, e}, {e, -1, -e}) == -1);
+    CHECK(approach_sign({1, 0x1p-60, 0x1p-106}, {0x1p-106, -0x1p-46, 0x1p-120}) == 1);
+    // 2^-110 of a gap, and of an overlap.
+    CHECK(sphere_sphere_root({1, 0x1p-55, 0}, {-1, 0, 0}, 1).t > 0);
+    CHECK(sphere_sphere_root({1, 0x1p-55, 0}, {1, -0x1p-54, 0}, 1).kind == RootKind::none);
+}
+
 namespace {
 
 /// Integer matrix with orthogonal columns of length a^2+b^2+c^2+d^2 (Euler, Rodrigues).
@@ -223,6 +244,7 @@ TEST_CASE("on integer lattices, where discriminant and gap are exactly 0, the an
         const double far = random.integer(6, 1000000), v = random.integer(1, 1000);
         // Passing at exactly the contact distance is no impact.
         CHECK(ask({-far, 3, 4}, {v, 0, 0}, 5).kind == RootKind::none);
+        CHECK(ask({-far, 3, 4}, {v, 0, 0}, 5).level == 2);
         // 3-4-5: contact at x = -4 exactly.
         const Root root = ask({-4 - 2 * v, 3, 0}, {v, 0, 0}, 5);
         CHECK(root.kind == RootKind::impact);

@@ -1,14 +1,13 @@
-/// The oracle expands the quartic that the kernel never expands, in 200 digits, and isolates every root of it and of
-/// its derivatives.
 #include "toi/sphere_sphere_accelerated.hpp"
 
+#include "adversary/quartic_oracle.hpp"
 #include "support/random.hpp"
+#include "toi/accelerated_enclosure.hpp"
+#include "toi/scaling.hpp"
 #include "toi/sphere_sphere.hpp"
-#include "unit/toi/oracle.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <vector>
 
 using namespace carom;
 using carom::test::Float200;
@@ -16,108 +15,29 @@ using carom::test::Random;
 
 namespace {
 
-using Polynomial = std::vector<Float200>;  ///< coefficients, constant first
-
-Float200 value(const Polynomial& p, const Float200& x)
-{
-    Float200 y = 0;
-    for (std::size_t i = p.size(); i-- > 0;) y = y * x + p[i];
-    return y;
-}
-
-Polynomial derivative(const Polynomial& p)
-{
-    Polynomial d;
-    for (std::size_t i = 1; i < p.size(); ++i) d.push_back(static_cast<int>(i) * p[i]);
-    return d;
-}
-
-/// Real roots in (0, bound], ascending, found between the roots of the derivative.
-std::vector<Float200> positive_roots(const Polynomial& p, const Float200& bound)
-{
-    if (p.size() < 2) return {};
-    if (p.size() == 2) {
-        if (p[1] == 0) return {};
-        const Float200 x = -p[0] / p[1];
-        return x > 0 && x <= bound ? std::vector<Float200>{x} : std::vector<Float200>{};
-    }
-    const Polynomial slope = derivative(p);
-    std::vector<Float200> cuts = positive_roots(slope, bound), roots;
-    cuts.push_back(bound);
-    Float200 low = 0, at_low = p[0];
-    for (const Float200& cut : cuts) {
-        Float200 a = low, b = cut;
-        const Float200 at_cut = value(p, cut);
-        if ((at_low < 0) != (at_cut < 0)) {
-            // Halve until the bracket is short, then Newton kept inside it.
-            Float200 x = (a + b) / 2;
-            for (int i = 0; i < 400; ++i) {
-                const Float200 y = value(p, x);
-                if (y == 0) break;
-                if ((y < 0) == (at_low < 0))
-                    a = x;
-                else
-                    b = x;
-                Float200 next = x - y / value(slope, x);
-                if (!(next > a && next < b) || b - a > b / 64) next = (a + b) / 2;
-                if (abs(next - x) <= abs(x) * Float200("1e-60")) break;
-                x = next;
-            }
-            roots.push_back(x);
-        }
-        low = cut;
-        at_low = at_cut;
-    }
-    return roots;
-}
-
-struct Truth {
-    RootKind kind = RootKind::none;
-    bool open = false;
-    Float200 t = 0;
-};
-
-Truth exact_accelerated(const AcceleratedMotion& m)
-{
-    const auto r = test::lift<Float200>(m.r), v = test::lift<Float200>(m.v), a = test::lift<Float200>(m.a);
-    const Float200 s = m.contact_distance;
-    using test::dot;
-    const Polynomial f{dot(r, r) - s * s, 2 * dot(r, v), dot(v, v) + dot(r, a), dot(v, a), dot(a, a) / 4};
-    const Polynomial rate = derivative(f);
-    Truth truth;
-    if (f[0] <= 0 && rate[0] < 0) return {RootKind::impact, false, 0};
-    if (f[0] <= 0 && rate[0] == 0 && f[2] <= 0) return {RootKind::pressed, false, 0};
-    Float200 bound = 0;
-    for (int i = 0; i < 4; ++i) bound += abs(f[i] / f[4]);
-    bound += 1;
-
-    const auto turns = positive_roots(rate, bound);
-    const auto zeros = positive_roots(f, bound);
-    Float200 first = -1;
-    const auto offer = [&](const Float200& t) {
-        if (first < 0 || t < first) first = t;
-    };
-    const Polynomial bend = derivative(rate);
-    for (const Float200& t : zeros)
-        if (value(rate, t) < 0) offer(t);
-    for (const Float200& t : turns) {
-        const Float200 depth = value(f, t);
-        Float200 scale = 0;
-        for (int k = 0; k < 3; ++k) scale += abs(r[k]) + t * abs(v[k]) + t * t * abs(a[k]);
-        if (abs(depth) <= 1000 * test::u2 * scale * scale) truth.open = true;
-        if (depth <= 0 && value(bend, t) < 0) offer(t);
-    }
-    if (first >= 0) {
-        truth.kind = RootKind::impact;
-        truth.t = first;
-    }
-    return truth;
-}
-
 struct Tally {
-    int queries = 0, hits = 0, wrong = 0, open = 0;
+    int queries = 0, hits = 0, wrong = 0, open = 0, certified_wrong = 0;
     double worst = 0;  ///< [ulp]
 };
+
+/// The exact solver finds what the oracle finds, open or not, in an interval of neighbouring doubles.
+bool is_certified(const AcceleratedMotion& m, const test::AcceleratedTruth& truth)
+{
+    if (m.a.isZero(0) || truth.no_digits) return true;
+    const Enclosure<double> answer =
+        enclose_accelerated({exactly(m.r), exactly(m.v), exactly(m.a), DoubleDouble(m.contact_distance)});
+    const Decision meant = truth.kind == RootKind::impact    ? Decision::impact
+                           : truth.kind == RootKind::pressed ? Decision::pressed
+                                                             : Decision::none;
+    const bool contains = Float200(answer.t_lo) <= truth.t && truth.t <= Float200(answer.t_hi);
+    const bool narrow = answer.t_hi <= std::nextafter(answer.t_lo, 1e308);
+    const bool good = answer.decided == meant && (meant != Decision::impact || (contains && narrow));
+    if (!good)
+        UNSCOPED_INFO("certified " << int(answer.decided) << ": " << answer.t_lo << " .. " << answer.t_hi << " for "
+                                   << int(meant) << " at " << truth.t.str(25) << ": r " << m.r.transpose() << ", v "
+                                   << m.v.transpose() << ", a " << m.a.transpose() << ", S " << m.contact_distance);
+    return good;
+}
 
 template <class Generate>
 Tally run(std::uint64_t seed, int count, Generate&& generate)
@@ -126,7 +46,8 @@ Tally run(std::uint64_t seed, int count, Generate&& generate)
     Tally tally;
     for (int i = 0; i < count; ++i) {
         const AcceleratedMotion m = generate(random);
-        const Truth truth = exact_accelerated(m);
+        const test::AcceleratedTruth truth = test::exact_accelerated(m);
+        tally.certified_wrong += !is_certified(m, truth);
         const Root root = sphere_sphere_accelerated_root(m);
         ++tally.queries;
         if (truth.open) {
@@ -156,6 +77,7 @@ void require_exact(const Tally& tally, double worst_ulps)
     INFO("hits " << tally.hits << " of " << tally.queries << ", open " << tally.open << ", worst " << tally.worst
                  << " ulp");
     CHECK(tally.wrong == 0);
+    CHECK(tally.certified_wrong == 0);
     CHECK(tally.worst <= worst_ulps);
     CHECK(tally.open <= tally.queries / 50);
     CHECK(tally.hits > 0);

@@ -1,0 +1,80 @@
+/// \file
+/// Level 0 of a sphere-sphere query: the quadratic in double with certified error bounds, and the enclosure that they
+/// give. One text for scalar and batch code, so that both have the same bits; no branch, no fma, no libm but sqrt.
+/// Every constant is derived in src/toi/ERROR_BOUNDS.md.
+#pragma once
+
+#include "math/error_free.hpp"
+
+#include <cmath>
+
+namespace carom {
+
+/// B = r.v, C = r.r - S^2, D = A S^2 - |r x v|^2 with |computed - exact| <= error, for inputs that are rounded once
+/// each, and lengths and speeds (largest component or S) of at most 2^100 whose largest is at least 2^-100.
+struct SphereQuadratic {
+    double b, c, d;
+    double b_error, c_error, d_error;
+    double s2, as;  ///< S^2, A S^2
+    double e1, e2, e3, k1, k2, k3;
+};
+
+/// What underflow may add to B and D (ERROR_BOUNDS, "Underflow").
+inline constexpr double b_underflow = 0x1p-960, d_underflow = 0x1p-860;
+
+inline SphereQuadratic sphere_quadratic(double rx, double ry, double rz, double vx, double vy, double vz, double s)
+{
+    constexpr double u = unit_roundoff;
+    SphereQuadratic q;
+    const double p1 = rx * vx, p2 = ry * vy, p3 = rz * vz;
+    q.b = p1 + p2 + p3;
+    q.b_error = 8 * u * (std::abs(p1) + std::abs(p2) + std::abs(p3)) + b_underflow;
+
+    const double a = vx * vx + vy * vy + vz * vz, r2 = rx * rx + ry * ry + rz * rz;
+    q.s2 = s * s;
+    q.c = r2 - q.s2;
+    q.c_error = 8 * u * (r2 + q.s2);
+
+    const double q1 = ry * vz, q2 = rz * vy, q3 = rz * vx, q4 = rx * vz, q5 = rx * vy, q6 = ry * vx;
+    q.k1 = q1 - q2;
+    q.k2 = q3 - q4;
+    q.k3 = q5 - q6;
+    q.e1 = std::abs(q1) + std::abs(q2);
+    q.e2 = std::abs(q3) + std::abs(q4);
+    q.e3 = std::abs(q5) + std::abs(q6);
+    const double k = q.k1 * q.k1 + q.k2 * q.k2 + q.k3 * q.k3;
+    q.as = a * q.s2;
+    q.d = q.as - k;
+    q.d_error = 12 * u * (q.as + k) + 10 * u * (std::abs(q.k1) * q.e1 + std::abs(q.k2) * q.e2 + std::abs(q.k3) * q.e3) +
+                100 * u * u * (q.e1 * q.e1 + q.e2 * q.e2 + q.e3 * q.e3) + d_underflow;
+    return q;
+}
+
+/// Certainly separating or certainly passing.
+inline bool certainly_none(const SphereQuadratic& q)
+{
+    return q.b > q.b_error || q.d < -q.d_error;
+}
+
+/// Certainly an impact later than now, and the enclosure holds.
+inline bool certainly_impact(const SphereQuadratic& q)
+{
+    return q.b < -4 * q.b_error && q.d > 4 * q.d_error && q.c > 4 * q.c_error;
+}
+
+/// A time and the ends of an interval that contains the exact one.
+struct TimeEnclosure {
+    double t, lo, hi;
+};
+
+/// Of the first root. \pre certainly_impact
+inline TimeEnclosure time_enclosure(const SphereQuadratic& q)
+{
+    const double s = std::sqrt(q.d > 0 ? q.d : 0), den = s - q.b, t = q.c / den;
+    const double ds = den * s;
+    const double relative = (q.c_error * ds + q.c * (q.b_error * s + q.d_error)) / (q.c * ds) + 16 * unit_roundoff;
+    const double width = t * relative;
+    return {t, t - width, t + 2 * width};
+}
+
+}  // namespace carom

@@ -1,0 +1,21 @@
+/// \file
+/// The squared gap of two spheres on parabolas, its half rate and that one's rate, as exact polynomials of time.
+#pragma once
+
+#include "math/exact_polynomial.hpp"
+#include "toi/accelerated_enclosure.hpp"
+
+namespace carom {
+
+struct QuarticGap {
+    ExactPolynomial f, h, h_rate;
+    int time = 0;  ///< 2^time is the unit of time
+};
+
+/// In the time in which a body at rest falls a length.
+QuarticGap quartic_gap(const ExactMotion& m);
+
+/// A double beyond every positive root, or the largest power of two that serves if there is none.
+double root_bound(const ExactPolynomial& p);
+
+}  // namespace carom
