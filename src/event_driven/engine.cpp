@@ -23,7 +23,11 @@ Outcome run_with(const Scene& scene, const Kernel& kernel, const EventDriven& me
 Outcome run_event_driven(const Scene& scene, const EventDriven& method, const RunOptions& options,
                          const Observer& observer)
 {
-    const Kernel& kernel = choose_kernel(scene, method.kernel);
+    // Certified runs have one kernel: it must cover everything.
+    const Kernel& kernel = method.certified ? kernels().back() : choose_kernel(scene, method.kernel);
+    if (method.certified)
+        return run_with<Schedule<Features{.gravity = true, .pairs = true}, true>>(scene, kernel, method, options,
+                                                                                  observer);
     if (!kernel.features.pairs) return run_with<LoneSchedule>(scene, kernel, method, options, observer);
     if (!kernel.features.gravity)
         return run_with<Schedule<Features{.gravity = false, .pairs = true}>>(scene, kernel, method, options, observer);

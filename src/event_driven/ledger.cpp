@@ -30,6 +30,8 @@ FlightRecord Ledger::record_of(const State& state, BodyId body)
     for (std::size_t k = 0; k < 3; ++k) {
         record.cell[k] = f.place.cell[k];
         record.local[k] = f.place.local[k];
+        if (state.certified())
+            record.local_low[k] = state.low[static_cast<std::size_t>(body)][static_cast<Eigen::Index>(k)];
         record.velocity[k] = f.velocity[static_cast<Eigen::Index>(k)];
     }
     record.acceleration = f.acceleration;

@@ -51,6 +51,7 @@ public:
     // What a single sphere has no use for.
     bool is_stale(const State&, const Next&) const { return false; }
     void predict_again(const State&, const Next&, Counts&) {}
+    bool refine(const State&, const Next&, Counts&) const { return false; }
     void cross(const State&, const Key&, Counts&) {}
     std::span<const BodyId> neighbours(BodyId) const { return {}; }
 

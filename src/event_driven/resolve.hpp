@@ -19,6 +19,7 @@ using Neighbourhood = std::function<std::span<const BodyId>(BodyId)>;
 struct Change {
     BodyId body = no_body;
     Flight flight;
+    Vec3 low = Vec3::Zero();  ///< of its place, in certified runs: see State::low [length]
 };
 
 /// Outcome of one event.

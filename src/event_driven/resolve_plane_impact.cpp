@@ -18,7 +18,7 @@ std::string why_coupled(const State& state, const Key& key, const Flight& f, con
 {
     if (belongs_to_previous_instant(state, key))
         return several_contacts(pair_name(state, key.a, key.b), "another impact has just moved one of them");
-    const BodyId other = other_closing(state, f, key.a, key.b, neighbourhood);
+    const BodyId other = other_closing(state, Instant(state, key), f, key.a, key.b, neighbourhood);
     if (other == no_body) return {};
     return several_contacts(pair_name(state, key.a, key.b), pair_name(state, key.a, other) + " touch");
 }
@@ -31,17 +31,23 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     const BodyId id = key.a;
     const int plane = state.plane_index(key.b);
     const Sphere& sphere = state.sphere(id);
-    Flight f = advanced(state, id, key.time);
+    Flown now = flown(state, id, key.time);
+    Flight& f = now.flight;
+    const bool certified = state.certified() && flies_freely(f);
     out.unresolved = why_coupled(state, key, f, neighbourhood);
     if (!out.unresolved.empty()) return out;
 
     const ContactLaw& law = state.laws.plane(sphere.material, state.plane(plane).material);
     const Vec3 normal = facing_normal(state, plane, f.place);
-    out.penetration = std::max(0.0, -height_above(state, id, plane, f.place));
+    out.penetration = certified ? certified_penetration(state, now, id, plane)
+                                : std::max(0.0, -height_above(state, id, plane, f.place));
+    const auto approaches = [&] {
+        return certified ? exact_plane_sign(normal, f.velocity) < 0 : normal.dot(f.velocity) < 0;
+    };
     const double gravity = -normal.dot(state.accelerations[f.acceleration]);  // > 0 presses
 
     Event impact{EventKind::impact, {}, 0, id, key.b, normal, Vec3::Zero()};
-    if (normal.dot(f.velocity) < 0) {
+    if (approaches()) {
         const Vec3 change = velocity_change(f.velocity, normal, law);
         f.velocity += change;
         impact.impulse = (1 / state.inverse_mass(id)) * change;
@@ -56,7 +62,7 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
         return out;
     }
     double nudge = 4 * unit_roundoff * std::sqrt(f.velocity.squaredNorm());
-    for (int i = 0; i < most_nudges && normal.dot(f.velocity) < 0; ++i, nudge *= 2) f.velocity += nudge * normal;
+    for (int i = 0; i < most_nudges && approaches(); ++i, nudge *= 2) f.velocity += nudge * normal;
 
     const double w = normal.dot(f.velocity);
     const bool rests = is_rest(state.radius(id) + state.frame.cell_size, f.velocity, w, gravity);
@@ -65,15 +71,17 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
                          state.scene.body_name(key.b) + ": contact with several planes is not resolved yet";
         return out;
     }
-    out.changes.push_back({id, f});
+    out.changes.push_back({id, f, now.low});
     Change& change = out.changes.front();
     if (rests) {
         settle(state, id, plane, change.flight);
+        change.low.setZero();
         out.events.push_back({EventKind::rest, {}, 0, id, key.b, normal, Vec3::Zero()});
     } else if (f.support < 0 && is_low(state, id, w, gravity, law)) {
         out.series = make_series(state, f, plane, w, gravity, law);
         if (series_is_clear(state, id, f, plane, out.series, neighbourhood)) {
             change.flight.mode = Mode::series;
+            change.low.setZero();
             change.flight.support = plane;
         }
     }

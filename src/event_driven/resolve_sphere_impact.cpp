@@ -1,3 +1,4 @@
+#include "event_driven/certified_motion.hpp"
 #include "event_driven/motion.hpp"
 #include "event_driven/resolve_impact.hpp"
 #include "event_driven/simultaneous.hpp"
@@ -26,10 +27,11 @@ std::string why_coupled(const State& state, const Key& key, const Flight& a, con
 {
     if (belongs_to_previous_instant(state, key))
         return several_contacts(pair_name(state, key.a, key.b), "another impact has just moved one of them");
-    BodyId body = key.a, other = other_closing(state, a, key.a, key.b, neighbourhood);
+    const Instant instant(state, key);
+    BodyId body = key.a, other = other_closing(state, instant, a, key.a, key.b, neighbourhood);
     if (other == no_body) {
         body = key.b;
-        other = other_closing(state, b, key.b, key.a, neighbourhood);
+        other = other_closing(state, instant, b, key.b, key.a, neighbourhood);
     }
     if (other == no_body) return {};
     return several_contacts(pair_name(state, key.a, key.b), pair_name(state, body, other) + " touch");
@@ -40,7 +42,9 @@ std::string why_coupled(const State& state, const Key& key, const Flight& a, con
 Resolution resolve_sphere_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood)
 {
     Resolution out;
-    Flight a = advanced(state, key.a, key.time), b = advanced(state, key.b, key.time);
+    Flown now_a = flown(state, key.a, key.time), now_b = flown(state, key.b, key.time);
+    Flight &a = now_a.flight, &b = now_b.flight;
+    const bool certified = state.certified() && is_certifiable(state, key.a, key.b);
     const Sphere &sa = state.sphere(key.a), &sb = state.sphere(key.b);
     const double inverse_a = state.inverse_mass(key.a), inverse_b = state.inverse_mass(key.b);
     out.unresolved = why_coupled(state, key, a, b, neighbourhood);
@@ -49,11 +53,15 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
     const Vec3 r = separation(state.frame, a.place, b.place);
     const double distance = std::sqrt(r.squaredNorm());
     const Vec3 normal = r / distance;
-    out.penetration = std::max(0.0, sa.radius + sb.radius - distance);
+    out.penetration = certified ? certified_penetration(state, now_a, key.a, now_b, key.b)
+                                : std::max(0.0, sa.radius + sb.radius - distance);
+    const auto approach = [&] {
+        return certified ? exact_approach_sign(state, now_a, now_b) : approach_sign(r, a.velocity - b.velocity);
+    };
 
     const double speeds = std::sqrt(a.velocity.squaredNorm()) + std::sqrt(b.velocity.squaredNorm());
     Event impact{EventKind::impact, {}, 0, key.a, key.b, normal, Vec3::Zero()};
-    if (approach_sign(r, a.velocity - b.velocity) < 0) {
+    if (approach() < 0) {
         const PairImpact after = resolve_pair({a.velocity, inverse_a}, {b.velocity, inverse_b}, normal,
                                               state.laws.spheres(sa.material, sb.material));
         a.velocity = after.velocity_a;
@@ -79,12 +87,12 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
     }
     const double reduced_mass = 1 / (inverse_a + inverse_b);
     double nudge = 4 * unit_roundoff * speeds;
-    for (int i = 0; i < most_nudges && approach_sign(r, a.velocity - b.velocity) < 0; ++i, nudge *= 2) {
+    for (int i = 0; i < most_nudges && approach() < 0; ++i, nudge *= 2) {
         a.velocity += (nudge * reduced_mass * inverse_a) * normal;
         b.velocity -= (nudge * reduced_mass * inverse_b) * normal;
     }
-    if (inverse_a > 0) out.changes.push_back({key.a, a});
-    if (inverse_b > 0) out.changes.push_back({key.b, b});
+    if (inverse_a > 0) out.changes.push_back({key.a, a, now_a.low});
+    if (inverse_b > 0) out.changes.push_back({key.b, b, now_b.low});
     return out;
 }
 

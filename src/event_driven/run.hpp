@@ -19,7 +19,7 @@ class Run {
 public:
     Run(const Scene& scene, const Kernel& kernel, const EventDriven& method, const RunOptions& options,
         const Observer& observer)
-        : state_(scene),
+        : state_(scene, method.certified),
           ledger_(state_, kernel, observer),
           options_(options),
           observer_(observer),
@@ -42,7 +42,7 @@ public:
                 schedule_.cross(state_, next.key, ledger_.out.counts);
             else if (schedule_.is_stale(state_, next))
                 schedule_.predict_again(state_, next, ledger_.out.counts);
-            else
+            else if (!schedule_.refine(state_, next, ledger_.out.counts))
                 status = execute(next.key);
         }
         return finish(status);
@@ -63,6 +63,7 @@ private:
     {
         for (const Change& change : initial_contacts(state_)) {
             state_.flights[static_cast<std::size_t>(change.body)] = change.flight;
+            if (state_.certified()) state_.low[static_cast<std::size_t>(change.body)] = change.low;
             ledger_.out.rest_times[static_cast<std::size_t>(change.body)] = 0.0;
         }
         ledger_.show_frame(state_);
@@ -112,6 +113,7 @@ private:
         Flight& flight = state_.flights[static_cast<std::size_t>(change.body)];
         if (flight.mode == Mode::series) state_.series.erase(change.body);
         flight = change.flight;
+        if (state_.certified()) state_.low[static_cast<std::size_t>(change.body)] = change.low;
         if (flight.mode == Mode::series) state_.series[change.body] = series;
         ++state_.stamps[static_cast<std::size_t>(change.body)];
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "event_driven/candidates.hpp"
+#include "event_driven/certified_motion.hpp"
 #include "event_driven/predict_planes.hpp"
 #include "event_driven/uniform_motion.hpp"
 #include "queue/event_queue.hpp"
@@ -14,7 +15,7 @@
 
 namespace carom {
 
-template <Features features>
+template <Features features, bool certified = false>
 class Schedule {
 public:
     struct Next {
@@ -26,7 +27,8 @@ public:
     Schedule(const State& state, BroadPhase broad_phase, Counts& counts)
         : candidates_(choose_candidates(state, broad_phase)),
           queue_(state.flights.size() * (std::holds_alternative<CellGrid>(candidates_) ? 2 : 1)),
-          partner_stamp_(state.flights.size(), 0)
+          partner_stamp_(state.flights.size(), 0),
+          rough_(certified ? state.flights.size() : 0)
     {
         for (BodyId i = 0; i < state.count(); ++i) flight_changed(state, i, {}, counts);
     }
@@ -42,6 +44,25 @@ public:
         const auto owner = static_cast<BodyId>(next.slot);
         const BodyId partner = key.a == owner ? key.b : key.a;
         return partner_stamp_[next.slot] != state.stamps[static_cast<std::size_t>(partner)];
+    }
+
+    /// In certified runs keys are at first times certainly before the contact. Gives the slot the time at which its
+    /// event is to be carried out, a pure function of the flights; false if it has that already.
+    bool refine(const State& state, const Next& next, Counts& counts)
+    {
+        if constexpr (certified) {
+            if (next.slot >= rough_.size() || !rough_[next.slot].is) return false;
+            Rough& rough = rough_[next.slot];
+            const Key exact = refined(state, next.key);
+            if (rough.runner_up < exact.time) {
+                examine<true>(state, static_cast<BodyId>(next.slot), counts);
+            } else {
+                rough.is = false;
+                queue_.set(next.slot, exact);
+            }
+            return true;
+        }
+        return false;
     }
 
     void predict_again(const State& state, const Next& next, Counts& counts)
@@ -66,10 +87,10 @@ public:
         ++counts.cell_crossings;
 
         const auto slot = static_cast<std::size_t>(crossing.a);
-        Key best = queue_.key(slot);
+        Best best{queue_.key(slot), partner_stamp_[slot], certified ? rough_[slot] : Rough{}};
         grid.new_neighbours(crossing.a, axis, direction,
-                            [&](BodyId other) { offer(state, crossing.a, other, best, partner_stamp_[slot], counts); });
-        if (best != queue_.key(slot)) queue_.set(slot, best);
+                            [&](BodyId other) { offer<false>(state, crossing.a, other, best, counts); });
+        keep(slot, best);
         watch_cell(state, crossing.a, crossing.time, counts);
     }
 
@@ -83,26 +104,84 @@ public:
     }
 
 private:
+    /// Of certified runs: is the slot's time a rough one, and until when can no other contact of its body come?
+    struct Rough {
+        bool is = false;
+        EpochTime runner_up = never;
+    };
+    /// The earliest contact of a body, so far.
+    struct Best {
+        Key key;
+        std::uint32_t stamp = 0;  ///< of its partner
+        Rough rough;
+
+        void take(const Key& other, std::uint32_t its_stamp, bool is_rough)
+        {
+            const bool first = other < key;
+            if constexpr (certified) rough.runner_up = std::min(rough.runner_up, first ? key.time : other.time);
+            if (!first) return;
+            key = other;
+            stamp = its_stamp;
+            rough.is = is_rough;
+        }
+    };
+
+    template <bool exact = false>
     void examine(const State& state, BodyId body, Counts& counts)
     {
-        const auto slot = static_cast<std::size_t>(body);
-        Key best;
-        std::uint32_t stamp = 0;
+        Best best;
         if (state.flight(body).mode != Mode::fixed) {  // who never moves leaves the asking to the others
-            best = first_of_planes<features.gravity>(state, moving(state, body), counts);
-            for (const BodyId other : neighbours(body)) offer(state, body, other, best, stamp, counts);
+            if (certified && flies_freely(state.flight(body)))
+                offer_planes<exact>(state, body, best, counts);
+            else
+                best.take(first_of_planes<features.gravity>(state, moving(state, body), counts), 0, false);
+            for (const BodyId other : neighbours(body)) offer<exact>(state, body, other, best, counts);
         }
-        queue_.set(slot, best);
-        partner_stamp_[slot] = stamp;
+        keep(static_cast<std::size_t>(body), best);
+    }
+
+    void keep(std::size_t slot, const Best& best)
+    {
+        if (best.key != queue_.key(slot)) queue_.set(slot, best.key);
+        partner_stamp_[slot] = best.stamp;
+        if constexpr (certified) rough_[slot] = best.rough;
+    }
+
+    template <bool exact>
+    void offer_planes(const State& state, BodyId body, Best& best, Counts& counts) const
+    {
+        const auto planes = static_cast<int>(state.scene.planes.size());
+        counts.pair_tests += planes;
+        for (int p = 0; p < planes; ++p) {
+            const ContactTime contact = rough_plane_time(state, body, p);
+            if (!contact.comes) continue;
+            ++counts.root_solves;
+            const EpochTime time = exact ? plane_time(state, body, p) : contact.time;
+            best.take({time, Scheduled::plane_impact, body, state.scene.plane_body(static_cast<std::size_t>(p))}, 0,
+                      !exact);
+        }
+    }
+
+    static Key refined(const State& state, const Key& key)
+    {
+        Key exact = key;
+        exact.time = key.kind == Scheduled::plane_impact ? plane_time(state, key.a, state.plane_index(key.b))
+                                                         : pair_time(state, key.a, key.b);
+        return exact;
     }
 
     /// Take the contact with `other` if it comes before the best one so far.
-    void offer(const State& state, BodyId body, BodyId other, Key& best, std::uint32_t& stamp, Counts& counts) const
+    template <bool exact>
+    void offer(const State& state, BodyId body, BodyId other, Best& best, Counts& counts) const
     {
         const BodyId a = std::min(body, other), b = std::max(body, other);
         ++counts.pair_tests;
         Key key;
-        if constexpr (features.gravity) {
+        if (certified && is_certifiable(state, a, b)) {
+            const ContactTime contact = rough_pair_time(state, a, b);
+            if (!contact.comes) return;
+            key = {exact ? pair_time(state, a, b) : contact.time, Scheduled::pair_impact, a, b};
+        } else if constexpr (features.gravity) {
             const PairMotion m = pair_motion(state, moving(state, a), moving(state, b));
             const Root root = pair_root(state, m);
             if (root.kind == RootKind::none) return;
@@ -114,9 +193,8 @@ private:
             key = {state.frame.after(m.from, root.t), Scheduled::pair_impact, a, b};
         }
         ++counts.root_solves;
-        if (!(key < best)) return;
-        best = key;
-        stamp = state.stamps[static_cast<std::size_t>(other)];
+        best.take(key, state.stamps[static_cast<std::size_t>(other)],
+                  !exact && certified && is_certifiable(state, a, b));
     }
 
     /// Predict when the body leaves its grid cell; the wall is named by axis and direction.
@@ -160,6 +238,7 @@ private:
     EventQueue queue_;  ///< slot i: contact of body i; slot count + i: its cell crossing
     std::vector<BodyId> found_;
     std::vector<std::uint32_t> partner_stamp_;  ///< by body: of its contact's partner when it was predicted
+    std::vector<Rough> rough_;                  ///< by body; empty unless certified
 };
 
 }  // namespace carom

@@ -28,14 +28,40 @@ bool closing_contact(const State& state, const Flight& a, BodyId id, int plane)
 
 }  // namespace
 
-BodyId other_closing(const State& state, const Flight& now, BodyId body, BodyId partner,
+Instant::Instant(const State& state, const Key& contact)
+    : state_(state), time_(contact.time), exact_(state.certified() && is_certifiable_contact(contact.a, contact.b))
+{
+    if (exact_) wait_ = wait(contact.a, contact.b);
+}
+
+bool Instant::is_certifiable_contact(BodyId body, BodyId other) const
+{
+    return state_.is_plane(other) ? flies_freely(state_.flight(body)) : is_certifiable(state_, body, other);
+}
+
+Enclosure<DoubleDouble> Instant::wait(BodyId body, BodyId other) const
+{
+    const Flown a = flown(state_, body, time_);
+    return state_.is_plane(other) ? plane_wait(state_, a, body, state_.plane_index(other))
+                                  : pair_wait(state_, a, body, flown(state_, other, time_), other);
+}
+
+bool Instant::is_that_of(BodyId body, BodyId other) const
+{
+    if (!exact_ || !is_certifiable_contact(body, other)) return true;
+    const Enclosure<DoubleDouble> its = wait(body, other);
+    return !(its.t_hi < wait_.t_lo) && !(wait_.t_hi < its.t_lo);
+}
+
+BodyId other_closing(const State& state, const Instant& instant, const Flight& now, BodyId body, BodyId partner,
                      const Neighbourhood& neighbourhood)
 {
     if (now.mode == Mode::fixed) return no_body;  // contacts are linked through bodies that can move
     BodyId found = no_body;
     for (int p = 0; p < static_cast<int>(state.scene.planes.size()); ++p)
         if (state.scene.plane_body(static_cast<std::size_t>(p)) != partner && p != now.support &&
-            closing_contact(state, now, body, p))
+            closing_contact(state, now, body, p) &&
+            instant.is_that_of(body, state.scene.plane_body(static_cast<std::size_t>(p))))
             found = state.scene.plane_body(static_cast<std::size_t>(p));
     for (const BodyId other : neighbourhood(body)) {
         if (other == partner) continue;
@@ -46,13 +72,16 @@ BodyId other_closing(const State& state, const Flight& now, BodyId body, BodyId 
         const Vec3 r = separation(state.frame, now.place, f.place) - shift;
         const double reach = state.radius(body) + state.radius(other);
         if (f.mode != Mode::series && r.squaredNorm() > 1.0001 * reach * reach) continue;
-        if (closing_contact(state, now, body, advanced(state, other, now.start), other)) found = other;
+        if (closing_contact(state, now, body, advanced(state, other, now.start), other) &&
+            instant.is_that_of(body, other))
+            found = other;
     }
     return found;
 }
 
 bool belongs_to_previous_instant(const State& state, const Key& key)
 {
+    if (state.certified()) return false;  // there a contact that is closed was predicted from this very flight
     const bool with_plane = state.is_plane(key.b);
     const Flight& a = state.flight(key.a);
     const auto changed = [&](BodyId body) { return state.stamps[static_cast<std::size_t>(body)] > 0; };

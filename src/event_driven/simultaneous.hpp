@@ -3,13 +3,31 @@
 /// them says so.
 #pragma once
 
+#include "event_driven/certified_motion.hpp"
 #include "event_driven/resolve.hpp"
 
 namespace carom {
 
+/// The instant of one contact. Runs of doubles count as one what is closed within `tie_fraction`; certified runs only
+/// what closes at the same time, so far as double-double can tell.
+class Instant {
+public:
+    Instant(const State& state, const Key& contact);
+    bool is_that_of(BodyId body, BodyId other) const;
+
+private:
+    bool is_certifiable_contact(BodyId body, BodyId other) const;
+    Enclosure<DoubleDouble> wait(BodyId body, BodyId other) const;
+
+    const State& state_;
+    EpochTime time_;
+    bool exact_;
+    Enclosure<DoubleDouble> wait_;  ///< from time_ to the contact itself
+};
+
 /// Another contact of `body` that is closed and closing at this very instant, next to the one with `partner`; no_body
 /// if none. \param now the body's flight, advanced to this instant
-BodyId other_closing(const State& state, const Flight& now, BodyId body, BodyId partner,
+BodyId other_closing(const State& state, const Instant& instant, const Flight& now, BodyId body, BodyId partner,
                      const Neighbourhood& neighbourhood);
 
 /// Was the contact of this event already closed, and closing, when the later of its flights began at an impact? Then it

@@ -16,7 +16,8 @@
 namespace carom {
 
 struct State {
-    explicit State(const Scene& scene);
+    /// \param certified keep the low parts of places
+    explicit State(const Scene& scene, bool certified = false);
 
     const Scene& scene;
     Frame frame;
@@ -24,8 +25,11 @@ struct State {
     ContactLaws laws;
     RestThresholds rest;
 
-    std::vector<double> radii;          ///< by body [length]
-    std::vector<Flight> flights;        ///< by body
+    std::vector<double> radii;    ///< by body [length]
+    std::vector<Flight> flights;  ///< by body
+    /// By body: its flight's place is Place plus this, exactly. Empty unless the run is certified; 0 for whoever does
+    /// not fly freely [length].
+    std::vector<Vec3> low;
     std::vector<std::uint32_t> stamps;  ///< by body: grows with each change of its flight; 0 = as the scene began
     std::unordered_map<BodyId, Series> series;  ///< of the bodies whose mode says so, nobody else
 
@@ -37,6 +41,7 @@ struct State {
     bool is_fixed(BodyId body) const { return flight(body).mode == Mode::fixed; }
     double radius(BodyId body) const { return radii[static_cast<std::size_t>(body)]; }
     BodyId count() const { return static_cast<BodyId>(flights.size()); }
+    bool certified() const { return !low.empty(); }
     bool is_plane(BodyId body) const { return body >= count(); }
     int plane_index(BodyId body) const { return body - count(); }
 };
