@@ -60,7 +60,7 @@ void define_run(CLI::App& app, RunArguments& run)
     app.add_option("--events", run.events, "Write the events to this file")->type_name("FILE.csv");
     app.add_flag("--final", run.always_final, "Write final states of more than 1000 spheres too");
     add_scene_options(app, run.allow_overlap, run.set);
-    app.add_option("-o,--out", run.out, "Write DIR/run.json")->type_name("DIR");
+    app.add_option("-o,--out", run.out, "Write DIR/run.json and the recording DIR/run.carom")->type_name("DIR");
     app.footer(
         "Examples:\n"
         "  carom run bouncing_ball\n"
