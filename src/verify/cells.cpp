@@ -69,8 +69,9 @@ void Cells::enter(BodyId body, const Box& box, double radius)
     for (std::int64_t x = r.low[0]; x <= r.high[0]; ++x)
         for (std::int64_t y = r.low[1]; y <= r.high[1]; ++y)
             for (std::int64_t z = r.low[2]; z <= r.high[2]; ++z) {
-                std::int32_t& head = heads_[bucket(k, x, y, z)];
-                entries_.push_back({body, head});
+                const Place cell = place(k, x, y, z);
+                std::int32_t& head = heads_[cell.bucket];
+                entries_.push_back({body, head, cell.tag});
                 head = static_cast<std::int32_t>(entries_.size() - 1);
             }
 }

@@ -43,6 +43,7 @@ private:
     struct Entry {
         BodyId body;
         std::int32_t next;
+        std::uint32_t tag;  ///< of the cell: buckets are shared
     };
     struct Range {
         std::int64_t low[3], high[3];
@@ -52,13 +53,18 @@ private:
     static constexpr double most_cells = 27;
 
     static Range range(const Box& box, double margin, double size);
-    std::size_t bucket(std::size_t level, std::int64_t x, std::int64_t y, std::int64_t z) const
+    struct Place {
+        std::size_t bucket;
+        std::uint32_t tag;
+    };
+    Place place(std::size_t level, std::int64_t x, std::int64_t y, std::int64_t z) const
     {
         std::uint64_t h = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15u;
         h = (h ^ (h >> 29)) + static_cast<std::uint64_t>(y) * 0xbf58476d1ce4e5b9u;
         h = (h ^ (h >> 31)) + static_cast<std::uint64_t>(z) * 0x94d049bb133111ebu;
         h = (h ^ (h >> 30)) + level;
-        return static_cast<std::size_t>((h * 0x9e3779b97f4a7c15u) >> shift_);
+        h *= 0x9e3779b97f4a7c15u;
+        return {static_cast<std::size_t>(h >> shift_), static_cast<std::uint32_t>(h)};
     }
     /// Has this query met the body before?
     bool is_new(BodyId body)
@@ -96,12 +102,14 @@ void Cells::visit(const Box& box, double radius, const Visit& visit)
             if (is_new(body)) visit(body);
         for (std::int64_t x = r.low[0]; x <= r.high[0]; ++x)
             for (std::int64_t y = r.low[1]; y <= r.high[1]; ++y)
-                for (std::int64_t z = r.low[2]; z <= r.high[2]; ++z)
-                    for (std::int32_t e = heads_[bucket(k, x, y, z)]; e >= 0;) {
+                for (std::int64_t z = r.low[2]; z <= r.high[2]; ++z) {
+                    const Place cell = place(k, x, y, z);
+                    for (std::int32_t e = heads_[cell.bucket]; e >= 0;) {
                         const Entry& entry = entries_[static_cast<std::size_t>(e)];
                         e = entry.next;
-                        if (is_new(entry.body)) visit(entry.body);
+                        if (entry.tag == cell.tag && is_new(entry.body)) visit(entry.body);
                     }
+                }
     }
 }
 

@@ -73,7 +73,8 @@ void Coverage::record(const GapFound& found, const EpochTime& from, const EpochT
     if (found.level == Level::double_double) ++out.needed_double_double;
     if (found.level == Level::exact) ++out.needed_exact;
     const EpochTime& when = found.at_start ? from : to;
-    if (found.measured && found.gap * data_.units.length < out.smallest_gap) {
+    if (found.measured && found.gap < smallest_) {
+        smallest_ = found.gap;
         out.smallest_gap = found.gap * data_.units.length;
         out.smallest_gap_time = data_.units.seconds(when);
     }
@@ -85,6 +86,18 @@ void Coverage::record(const GapFound& found, const EpochTime& from, const EpochT
 }
 
 void Coverage::pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to)
+{
+    const Quick &qa = quick_[static_cast<std::size_t>(a)], &qb = quick_[static_cast<std::size_t>(b)];
+    ++findings_.out.segments;
+    if (qa.acceleration == qb.acceleration && qa.acceleration >= 0) {
+        const double t0 = std::max({between<double>(reference_, from), qa.start, qb.start});
+        const double t1 = between<double>(reference_, to), contact = data_.radius(a) + data_.radius(b);
+        if (is_far(qa, qb, t0, t1, contact, interesting(contact))) return;
+    }
+    look_closer(a, b, std::max({from, flights_.path(a).start, flights_.path(b).start}), to);
+}
+
+void Coverage::look_closer(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to)
 {
     if (!(from < to)) return;
     const Path &pa = flights_.path(a), &pb = flights_.path(b);
@@ -99,8 +112,7 @@ void Coverage::pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& 
             segment.initial_a = &found->second.first;
             segment.initial_b = &found->second.second;
         }
-    ++findings_.out.segments;
-    if (is_clear(segment, findings_.out.smallest_gap / data_.units.length)) return;
+    if (is_clear(segment, smallest_)) return;
     const double allowed =
         promised * std::max({ball_a.radius + ball_b.radius, flown(a, ball_a, to), flown(b, ball_b, to)});
     const bool is_swept = ball_a.is_swept || ball_b.is_swept;
@@ -137,7 +149,7 @@ void Coverage::plane(BodyId body, int p, const EpochTime& to)
     if (!overlaps_.empty())
         if (const auto found = overlaps_.find(pair_key(body, partner)); found != overlaps_.end())
             segment.initial = &found->second.first;
-    if (is_clear(segment, findings_.out.smallest_gap / data_.units.length)) return;
+    if (is_clear(segment, smallest_)) return;
     const double allowed = promised * std::max(ball.radius, flown(body, ball, to));
     GapFound found = examine(segment, data_.run.certified && !ball.is_swept ? 0 : allowed);
     if (ball.is_swept) {
@@ -174,13 +186,13 @@ void Coverage::close(BodyId body, const EpochTime& now)
     if (path.start < now) {
         if (all_pairs_) {
             for (BodyId other = 0; other < data_.spheres(); ++other)
-                if (other != body) pair(body, other, std::max(path.start, flights_.path(other).start), now);
+                if (other != body) pair(body, other, path.start, now);
         } else {
             const EpochTime from = std::max(path.start, slab_begin_);
             double radius = 0;
             const Box swept_box = box(body, from, now, radius);
             cells_->visit(swept_box, radius, [&](BodyId other) {
-                if (other != body) pair(body, other, std::max(from, flights_.path(other).start), now);
+                if (other != body) pair(body, other, from, now);
             });
         }
         planes(body, now);
@@ -205,7 +217,14 @@ void Coverage::count(BodyId body, const EpochTime& now)
 
 void Coverage::open(BodyId body, const EpochTime& now)
 {
-    if (all_pairs_) return;
+    const Path& path = flights_.path(body);
+    quick_[static_cast<std::size_t>(body)] = quick_look_at(path, data_.acceleration(path), reference_);
+    if (all_pairs_) {
+        // What is straight on from an old reference loses precision.
+        constexpr std::size_t often = 8;
+        if (++opened_ > often * quick_.size()) set_reference(now);
+        return;
+    }
     double radius = 0;
     const Box swept_box = box(body, now, slab_end_, radius);
     cells_->enter(body, swept_box, radius);
@@ -249,10 +268,21 @@ void Coverage::choose_duration()
     slab_ = std::ldexp(1.0, std::clamp(exponent - 1, -40, 40));
 }
 
+void Coverage::set_reference(const EpochTime& at)
+{
+    reference_ = at;
+    opened_ = 0;
+    for (BodyId i = 0; i < data_.spheres(); ++i) {
+        const Path& path = flights_.path(i);
+        quick_[static_cast<std::size_t>(i)] = quick_look_at(path, data_.acceleration(path), at);
+    }
+}
+
 void Coverage::begin()
 {
+    quick_.resize(data_.radii.size());
     find_initial_overlaps();
-    if (all_pairs_) return;
+    if (all_pairs_) return set_reference({});
     choose_duration();
     begin_slab({});
 }
@@ -261,6 +291,7 @@ void Coverage::begin_slab(const EpochTime& at)
 {
     slab_begin_ = at;
     slab_end_ = later(at, slab_);
+    reference_ = at;
     cells_->clear();
     for (BodyId i = 0; i < data_.spheres(); ++i) open(i, std::max(at, flights_.path(i).start));
     entries_at_begin_ = cells_->entries();
@@ -273,7 +304,7 @@ void Coverage::end_slab(const EpochTime& at)
         double radius = 0;
         const Box swept_box = box(i, from, at, radius);
         cells_->visit(swept_box, radius, [&](BodyId other) {
-            if (other > i) pair(i, other, std::max(from, flights_.path(other).start), at);
+            if (other > i) pair(i, other, from, at);
         });
     }
 }
@@ -303,8 +334,7 @@ void Coverage::finish(const EpochTime& end)
     advance(end);
     if (all_pairs_) {
         for (BodyId a = 0; a < data_.spheres(); ++a)
-            for (BodyId b = a + 1; b < data_.spheres(); ++b)
-                pair(a, b, std::max(flights_.path(a).start, flights_.path(b).start), end);
+            for (BodyId b = a + 1; b < data_.spheres(); ++b) pair(a, b, {}, end);
     } else {
         end_slab(end);
     }

@@ -9,6 +9,7 @@
 #include "verify/bounces.hpp"
 #include "verify/cells.hpp"
 #include "verify/findings.hpp"
+#include "verify/quick_look.hpp"
 
 #include <optional>
 
@@ -39,7 +40,12 @@ private:
     };
     Ball ball_of(BodyId body, std::optional<Swept>& room) const;
     double flown(BodyId body, const Ball& ball, const EpochTime& to) const;
+    /// From `from`, or from the later start of the two, if that is later.
     void pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to);
+    void look_closer(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to);
+    void set_reference(const EpochTime& at);
+    /// What a squared distance must exceed to be of no interest: neither an overlap nor the smallest gap.
+    double interesting(double contact) const { return std::max(0.0, smallest_ * (smallest_ + 2 * contact)); }
     void record(const GapFound& found, const EpochTime& from, const EpochTime& to, BodyId a, BodyId b);
     void planes(BodyId body, const EpochTime& to);
     void plane(BodyId body, int p, const EpochTime& to);
@@ -58,6 +64,10 @@ private:
     const Flights& flights_;
     std::vector<std::uint8_t> grades_;  ///< of the current flights
     std::vector<double> flown_before_;  ///< in the flight before: what is missing at an impact is missing after it, too
+    std::vector<Quick> quick_;
+    EpochTime reference_;
+    std::size_t opened_ = 0;                                     ///< flights since the reference
+    double smallest_ = std::numeric_limits<double>::infinity();  ///< gap so far [cells]
     Findings& findings_;
     bool all_pairs_;
     std::optional<Cells> cells_;
