@@ -90,7 +90,11 @@ private:
         if (instant.flights.empty()) return impossible("events that begin no flight");
         const EpochTime at = data_.units.moment(instant.flights.front().start);
         if (!is_moment(at)) return impossible("a time out of range");
-        if (!has_all()) return at == EpochTime{} && instant.events.empty() && begin(instant.flights);
+        if (!has_all()) {
+            if (at != EpochTime{} || !instant.events.empty())
+                return impossible("something happens before all flights have begun");
+            return begin(instant.flights);
+        }
         if (at < now_) return impossible("time runs backwards");
         for (const FlightRecord& flight : instant.flights)
             if (data_.units.moment(flight.start) != at)
