@@ -135,7 +135,7 @@ private:
             throw InputError({database_.file + ": a recording of version " + version + ", not " +
                               std::to_string(recording_version)});
         if (const std::string problem = database_.text_of("PRAGMA integrity_check"); problem != "ok")
-            damaged(problem.substr(0, problem.find('\n')));
+            damaged("its pages do not fit together");
         Statement tables(database_, "SELECT type, name, tbl_name, sql FROM sqlite_schema ORDER BY rowid");
         std::size_t n = 0;
         for (; tables.step(); ++n) {
