@@ -1,7 +1,7 @@
 # cmake --install, and find_package(carom) for those who build on it.
 #
 # carom::carom is the core and needs Eigen alone. The components are there if they were built (CAROM_TOOLS):
-# reference and study (which need mpfr and gmp), io (which needs fmt, too).
+# reference and study (which need mpfr and gmp), io (which needs fmt, SQLite and zlib, too).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -1,12 +1,16 @@
 /// \file
-/// Scenes from files.
+/// Scenes from files, and recordings of runs.
 #pragma once
 
 #include <carom/error.hpp>
 #include <carom/scene.hpp>
+#include <carom/simulate.hpp>
+#include <carom/verify.hpp>
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,5 +49,64 @@ std::vector<CatalogueEntry> list_scenes(const std::filesystem::path& root);
 /// `what` as a path if such a file exists, otherwise the catalogue scene of that name under `root`.
 /// \throws InputError with the nearest catalogue names, or if `what` is a folder.
 std::filesystem::path find_scene(const std::string& what, const std::filesystem::path& root);
+
+/// Name of a recording within the folder of a run.
+inline constexpr const char* recording_name = "run.carom";
+
+struct RecordingOptions {
+    std::string method = "event";
+    bool certified = false;  ///< the run claims double-double flights
+    double until = 0;        ///< end asked for [time]
+};
+
+/// Writes a recording (docs/recording.md) while a run goes: hand its functions to an Observer. Memory does not grow
+/// with the run. What is on disk is whole up to the last chunk, also if the process is killed; chunks are written at
+/// least every second while there is something to write.
+class RecordingWriter {
+public:
+    /// Makes the file, in place of one that is there, and its folder. `scene` must outlive the writer.
+    /// \throws InputError if it cannot be written; so do all functions below
+    RecordingWriter(const std::filesystem::path& file, const Scene& scene, const RecordingOptions& options = {});
+    ~RecordingWriter();
+    RecordingWriter(const RecordingWriter&) = delete;
+    RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+    void on_frame(const RunFrame& frame);
+    void on_event(const Event& event);
+    void on_flight(const FlightRecord& flight);
+    /// The last rows, and how the run ended. A recording without this counts as cut off.
+    void finish(const Outcome& outcome);
+
+private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+/// A recording, read chunk by chunk; checksums are compared on the way.
+class RecordingReader final : public FlightSource {
+public:
+    /// \throws InputError if the file cannot be read, is no recording, or is damaged
+    explicit RecordingReader(const std::filesystem::path& file);
+    ~RecordingReader() override;
+    RecordingReader(const RecordingReader&) = delete;
+    RecordingReader& operator=(const RecordingReader&) = delete;
+
+    const RecordedRun& run() const override;
+    bool next(Instant& instant) override;
+
+    /// Words about the run: format, scene, method, number, until; from a finished one also status, message, time, ...
+    const std::map<std::string, std::string>& meta() const;
+    /// The scene without its spheres, format carom-scene/1.
+    const std::string& scene() const;
+    /// Id of a sphere or plane as events number them. \throws InputError
+    std::string body_name(BodyId body) const;
+
+private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+/// `what` if it is a file, else the recording in that folder. \throws InputError if there is none
+std::filesystem::path find_recording(const std::filesystem::path& what);
 
 }  // namespace carom

@@ -18,9 +18,11 @@ inline constexpr std::size_t study_intervals = 200;
 
 struct RunStudyOptions {
     RunOptions run;
-    std::size_t intervals = study_intervals;     ///< >= 1
-    std::function<void(const Event&)> on_event;  ///< may be empty; its time counts as the run's
-    std::function<bool(double)> on_progress;     ///< may be empty; false interrupts
+    std::size_t intervals = study_intervals;             ///< >= 1
+    std::function<void(const Event&)> on_event;          ///< may be empty; its time counts as the run's
+    std::function<void(const RunFrame&)> on_frame;       ///< as Observer's; so is
+    std::function<void(const FlightRecord&)> on_flight;  ///< this one
+    std::function<bool(double)> on_progress;             ///< may be empty; false interrupts
 };
 
 /// One run and its figures. Non-finite figures are possible where a discrete method blows up; writers turn them into

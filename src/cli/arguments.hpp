@@ -54,6 +54,11 @@ struct StressArguments {
     std::string out;     ///< folder for stress.csv and stress.json; may be empty
 };
 
+struct VerifyArguments {
+    std::string run;         ///< folder of a run, or its recording
+    bool all_pairs = false;  ///< without the grid
+};
+
 struct ReportArguments {
     std::vector<std::string> folders;
     std::string out;  ///< HTML file; empty: FOLDER/report.html for one folder, out/report.html for several
@@ -67,7 +72,7 @@ struct ScenesArguments {
     std::vector<std::string> validate;  ///< scenes to validate; empty: the catalogue
 };
 
-enum class Command { run, compare, check, explain, stress, report, scenes };
+enum class Command { run, compare, check, explain, stress, verify, report, scenes };
 
 struct Arguments {
     GlobalArguments global;
@@ -77,6 +82,7 @@ struct Arguments {
     CheckArguments check;
     ExplainArguments explain;
     StressArguments stress;
+    VerifyArguments verify;
     ReportArguments report;
     ScenesArguments scenes;
 };

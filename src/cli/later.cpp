@@ -8,7 +8,7 @@ namespace carom::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> later_commands{"tunnel", "verify", "view", "export", "query"};
+constexpr std::array<std::string_view, 4> later_commands{"tunnel", "view", "export", "query"};
 constexpr std::string_view query_service = "toi";
 constexpr std::array<std::string_view, 5> later_options{"--certified", "--impact", "--guard", "--save-state",
                                                         "--equilibrate"};

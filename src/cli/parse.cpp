@@ -64,7 +64,7 @@ void define_run(CLI::App& app, RunArguments& run)
         ->type_name("FILE.csv");
     app.add_flag("--final", run.always_final, "Write final states of more than 1000 spheres too");
     add_scene_options(app, run.allow_overlap, run.set);
-    app.add_option("-o,--out", run.out, "Write DIR/run.json")->type_name("DIR");
+    app.add_option("-o,--out", run.out, "Write DIR/run.json and the recording DIR/run.carom")->type_name("DIR");
     app.footer(
         "Examples:\n"
         "  carom run bouncing_ball\n"
@@ -145,6 +145,21 @@ void define_stress(CLI::App& app, StressArguments& stress)
         "Exit: 0 event passes, 4 it fails a case, 2 usage, 130 interrupted.");
 }
 
+void define_verify(CLI::App& app, VerifyArguments& verify)
+{
+    app.add_option("run", verify.run, "Folder that run -o wrote, or the recording in it")->required()->type_name("RUN");
+    app.add_flag("--all-pairs", verify.all_pairs, "Examine all pairs without a grid: slow, another opinion");
+    app.footer(
+        "Examines every pair of bodies at every time of a recorded run, every impulse, and the energy and momentum of\n"
+        "every impact, with code that shares nothing with the engine. A recording that was cut off is examined up to\n"
+        "its last chunk.\n"
+        "Examples:\n"
+        "  carom run gas_1000 -o out/gas\n"
+        "  carom verify out/gas\n"
+        "  carom verify out/gas/run.carom --json\n"
+        "Exit: 0 the run holds, 3 no recording or a damaged one, 4 it does not hold, 130 interrupted.");
+}
+
 void define_report(CLI::App& app, ReportArguments& report)
 {
     app.add_option("folders", report.folders, "Folders that compare wrote")->required()->type_name("DIR...");
@@ -198,6 +213,8 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     define_explain(*explain, arguments.explain);
     CLI::App* stress = app.add_subcommand("stress", "Stiff and extreme cases: who passes, and why others fail");
     define_stress(*stress, arguments.stress);
+    CLI::App* verify = app.add_subcommand("verify", "Certificate of a recorded run");
+    define_verify(*verify, arguments.verify);
     CLI::App* report = app.add_subcommand("report", "One self-contained page of one or more comparisons");
     define_report(*report, arguments.report);
     CLI::App* scenes = app.add_subcommand("scenes", "The catalogue of scenes");
@@ -206,7 +223,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     const auto global_help = [](CLI::App* command) {
         command->footer(command->get_footer() + "\nEverywhere: --json, -q, -v, --no-progress, --seed N (see carom -h)");
     };
-    for (CLI::App* command : {run, compare, check, explain, stress, report, scenes}) global_help(command);
+    for (CLI::App* command : {run, compare, check, explain, stress, verify, report, scenes}) global_help(command);
 
     try {
         app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them last first
@@ -222,6 +239,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
                         : check->parsed()   ? Command::check
                         : explain->parsed() ? Command::explain
                         : stress->parsed()  ? Command::stress
+                        : verify->parsed()  ? Command::verify
                         : report->parsed()  ? Command::report
                                             : Command::scenes;
     result.arguments = std::move(arguments);

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <ostream>
 
@@ -52,6 +53,22 @@ private:
     std::optional<io::EventsCsv> csv_;
 };
 
+/// Flights and events of an event-driven run, beside run.json. Discrete methods have none.
+std::unique_ptr<RecordingWriter> make_recording(const std::filesystem::path& folder, const Scene& scene,
+                                                const RunSettings& settings, bool quiet, const Console& console)
+{
+    if (!std::holds_alternative<EventDriven>(settings.method)) {
+        if (!quiet)
+            console.err << fmt::format("{} has no flights to record: {} holds run.json alone\n", name(settings.method),
+                                       folder.string());
+        return nullptr;
+    }
+    RecordingOptions options;
+    options.method = std::string(name(settings.method));
+    options.until = settings.run.until;
+    return std::make_unique<RecordingWriter>(folder / recording_name, scene, options);
+}
+
 void explain_settings(const Scene& scene, const std::filesystem::path& file, const RunSettings& settings,
                       const Console& console)
 {
@@ -80,11 +97,21 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
 
     std::optional<EventsFile> events;
     if (!args.events.empty()) events.emplace(args.events, scene, settings.method);
+    std::unique_ptr<RecordingWriter> recording;
+    if (!args.out.empty()) recording = make_recording(args.out, scene, settings, global.quiet, console);
     const InterruptGuard guard;
     ProgressLine progress(console, global);
     RunStudyOptions options;
     options.run = settings.run;
-    if (events) options.on_event = [&](const Event& event) { events->write(event); };
+    if (events || recording)
+        options.on_event = [&](const Event& event) {
+            if (events) events->write(event);
+            if (recording) recording->on_event(event);
+        };
+    if (recording) {
+        options.on_frame = [&](const RunFrame& frame) { recording->on_frame(frame); };
+        options.on_flight = [&](const FlightRecord& flight) { recording->on_flight(flight); };
+    }
     const std::string unit = scene.units.time.empty() ? "time units" : scene.units.time;
     options.on_progress = [&](double time) {
         progress.show(fmt::format("t = {:.4g} of {:.4g}", time, settings.run.until), time / settings.run.until, time,
@@ -94,6 +121,7 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
     const RunStudy run = run_study(scene, settings.method, options);
     progress.clear();
     if (events) events->close();
+    if (recording) recording->finish(run.outcome);
 
     const std::string json = io::run_json(scene, settings.method, run, {.always_final = settings.always_final});
     if (!args.out.empty()) write_file(std::filesystem::path(args.out) / "run.json", json);

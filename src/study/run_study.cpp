@@ -29,6 +29,8 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     Observer observer;
     observer.sample_times = sample_grid(until, options.intervals);
     observer.on_event = options.on_event;
+    observer.on_frame = options.on_frame;
+    observer.on_flight = options.on_flight;
     observer.on_progress = options.on_progress;
     observer.on_sample = [&](std::size_t, double, std::span<const BodyState> states) {
         if (dear) watch.pause();

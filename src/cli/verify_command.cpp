@@ -1,0 +1,72 @@
+#include "cli/cli.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
+#include "cli/tables.hpp"
+#include "io/verify_json.hpp"
+
+#include <carom/io.hpp>
+#include <carom/verify.hpp>
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+namespace carom::cli {
+
+namespace {
+
+std::string share(double part, double whole)
+{
+    return fmt::format("{:.6g} ({:.4g} %)", part, whole > 0 ? 100 * part / whole : 0);
+}
+
+std::string verify_table(const Certificate& c)
+{
+    const BodySeconds& s = c.body_seconds;
+    const double all = s.exact + s.bounded + s.not_certified;
+    std::vector<std::vector<std::string>> rows{
+        {"certificate", c.holds() ? "holds" : fmt::format("DOES NOT HOLD: {} violations", c.violated)},
+        {"recording", fmt::format("{} t = {:.10g}", c.complete ? "complete, to" : "cut off at", c.until)},
+        {"bodies", fmt::format("{} spheres, {} planes", c.spheres, c.planes)},
+        {"read", fmt::format("{} flights, {} events, hash {:016x}", c.flights, c.events, c.event_hash)},
+        {"pairs", fmt::format("{}, examined in {} segments", c.pairs, c.segments)},
+        {"arithmetic",
+         fmt::format("{} segments needed double-double, {} exact", c.needed_double_double, c.needed_exact)},
+        {"smallest gap", fmt::format("{:.3g} at t = {:.10g}", c.smallest_gap, c.smallest_gap_time)},
+        {"impulses", fmt::format("{}, at gaps of at most {:.2g}", c.impulses, c.largest_impact_gap)},
+        {"largest errors",
+         fmt::format("impulse {:.2g}, law {:.2g}, momentum {:.2g}, energy {:.2g}, place {:.2g} of its bound",
+                     c.largest_impulse_error, c.largest_law_error, c.largest_momentum_error, c.largest_energy_error,
+                     c.largest_jump)},
+        {"body-seconds >= 0", share(s.exact, all)},
+        {"body-seconds >= -b", share(s.bounded, all)},
+        {"not certified", share(s.not_certified, all)}};
+    return aligned(rows, 2);
+}
+
+}  // namespace
+
+int do_verify(const VerifyArguments& args, const GlobalArguments& global, const Console& console)
+{
+    RecordingReader recording(find_recording(args.run));
+    const InterruptGuard guard;
+    ProgressLine progress(console, global);
+    VerifyOptions options;
+    options.all_pairs = args.all_pairs;
+    const double end = recording.run().end ? recording.run().end->time : 0;
+    options.on_progress = [&](double time) {
+        progress.show(fmt::format("t = {:.4g}", time), end > 0 ? time / end : 0);
+        return !guard.interrupted();
+    };
+    const Certificate certificate = verify(recording, options);
+    progress.clear();
+    console.out << (global.json ? io::verify_json(certificate, recording) : verify_table(certificate));
+    if (guard.interrupted()) return exit_interrupted;
+    if (!global.quiet)
+        for (const Violation& v : certificate.violations)
+            print_error(console, fmt::format("{}, at t = {:.17g}", v.what, v.time));
+    return certificate.holds() ? exit_ok : exit_check_failed;
+}
+
+}  // namespace carom::cli

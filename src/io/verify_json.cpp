@@ -1,0 +1,66 @@
+#include "io/verify_json.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace carom::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;  // dumps numbers that are not finite as null
+
+Json body_json(const Certificate& c, const RecordingReader& recording, BodyId body)
+{
+    return body < 0 || body >= c.spheres + c.planes ? Json(nullptr) : Json(recording.body_name(body));
+}
+
+Json meta_json(const RecordingReader& recording, const char* key)
+{
+    const auto found = recording.meta().find(key);
+    return found == recording.meta().end() ? Json(nullptr) : Json(found->second);
+}
+
+Json violations_json(const Certificate& c, const RecordingReader& recording)
+{
+    Json list = Json::array();
+    for (const Violation& v : c.violations)
+        list.push_back({{"what", v.what},
+                        {"time", v.time},
+                        {"a", body_json(c, recording, v.a)},
+                        {"b", body_json(c, recording, v.b)}});
+    return list;
+}
+
+}  // namespace
+
+std::string verify_json(const Certificate& c, const RecordingReader& recording)
+{
+    Json json = {{"format", "carom-verify/1"}, {"holds", c.holds()}};
+    for (const char* key : {"scene", "method", "number", "status"}) json[key] = meta_json(recording, key);
+    json["complete"] = c.complete;
+    json["until"] = c.until;
+    json["spheres"] = c.spheres;
+    json["planes"] = c.planes;
+    json["events"] = c.events;
+    json["flights"] = c.flights;
+    json["event_hash"] = fmt::format("{:016x}", c.event_hash);
+    json["pairs"] = c.pairs;
+    json["segments"] = c.segments;
+    json["needed_double_double"] = c.needed_double_double;
+    json["needed_exact"] = c.needed_exact;
+    json["smallest_gap"] = c.smallest_gap;
+    json["smallest_gap_time"] = c.smallest_gap_time;
+    json["impulses"] = c.impulses;
+    json["largest"] = {{"impact_gap", c.largest_impact_gap},         {"jump", c.largest_jump},
+                       {"impulse_error", c.largest_impulse_error},   {"law_error", c.largest_law_error},
+                       {"momentum_error", c.largest_momentum_error}, {"energy_error", c.largest_energy_error}};
+    json["body_seconds"] = {{"exact", c.body_seconds.exact},
+                            {"bounded", c.body_seconds.bounded},
+                            {"not_certified", c.body_seconds.not_certified}};
+    json["violated"] = c.violated;
+    json["violations"] = violations_json(c, recording);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace carom::io

@@ -1,0 +1,15 @@
+/// \file
+/// A certificate as JSON, format carom-verify/1.
+#pragma once
+
+#include <carom/io.hpp>
+#include <carom/verify.hpp>
+
+#include <string>
+
+namespace carom::io {
+
+/// One JSON object, indented, with its last line end. What is not finite is null. \throws InputError as the reader
+std::string verify_json(const Certificate& certificate, const RecordingReader& recording);
+
+}  // namespace carom::io

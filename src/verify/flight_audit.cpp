@@ -1,0 +1,137 @@
+#include "verify/flight_audit.hpp"
+
+namespace carom::verification {
+
+namespace {
+
+constexpr std::int64_t furthest = std::int64_t{1} << 52;  ///< cells and epochs beyond it are not exact as doubles
+
+bool held(Mode mode)
+{
+    return mode == Mode::sliding || mode == Mode::resting;
+}
+
+bool is_finite(const FlightRecord& f)
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        constexpr double large = 0x1p52;
+        if (!(std::abs(f.local[k]) < large) || !(std::abs(f.local_low[k]) < large)) return false;
+        if (!std::isfinite(f.velocity[k]) || !std::isfinite(f.velocity_low[k])) return false;
+        if (f.cell[k] <= -furthest || f.cell[k] >= furthest) return false;
+    }
+    return true;
+}
+
+SeriesRecord scaled(const SeriesRecord& s, const Units& units)
+{
+    SeriesRecord out = s;
+    out.normal_speed = units.speed(s.normal_speed);
+    out.gravity = units.acceleration(s.gravity);
+    for (int k = 0; k < 3; ++k) {
+        out.velocity[k] = units.speed(s.velocity[k]);
+        out.acceleration[k] = units.acceleration(s.acceleration[k]);
+    }
+    return out;
+}
+
+/// The numbers of a series follow from its flight, its plane and the contact law.
+bool series_fits(const RunData& data, BodyId body, const Path& path, const SeriesRecord& s)
+{
+    const Wall& wall = data.wall(path.support);
+    const Vec3 normal = side_of(wall, path) * wall.normal;
+    const ContactLaw law = data.law(body, data.spheres() + path.support);
+    const double speed = path.velocity.norm(), pull = data.gravity.norm();
+    const double w = normal.dot(path.velocity);
+    const Vec3 along = path.velocity - w / normal.squaredNorm() * normal;
+    return s.normal_speed > 0 && s.gravity > 0 && s.restitution == law.restitution && s.restitution > 0 &&
+           s.restitution < 1 && s.tangential == law.tangential && std::abs(s.normal_speed - w) <= 16 * u * speed &&
+           std::abs(s.gravity + normal.dot(data.gravity)) <= 16 * u * pull &&
+           (s.velocity - along).cwiseAbs().maxCoeff() <= 16 * u * speed && data.is_along(s.acceleration, path.support);
+}
+
+/// What the mode demands of acceleration, support and speed; nullptr if all is well.
+const char* wrong_with(const RunData& data, BodyId body, const Path& path, const std::optional<SeriesRecord>& series)
+{
+    const Vec3& a = data.acceleration(path);
+    const bool fixed = data.sphere(body).fixed;
+    if (fixed != (path.mode == Mode::fixed)) return "is fixed, or is not";
+    const bool supported = held(path.mode) || path.mode == Mode::series;
+    if (supported != (path.support >= 0) && path.mode != Mode::numeric)
+        return "has a support that its mode does not have";
+    if (fixed) return a.isZero(0) && path.velocity.isZero(0) ? nullptr : "is fixed and moves";
+    if (held(path.mode) && !data.is_along(a, path.support)) return "slides under an acceleration that is not gravity's";
+    if (path.mode == Mode::resting && !(a.isZero(0) && path.velocity.isZero(0) && path.velocity_low.isZero(0)))
+        return "rests and moves";
+    if (path.mode == Mode::flying && a != data.gravity) return "flies under an acceleration that is not gravity";
+    if (path.mode == Mode::series && !(series && series_fits(data, body, path, *series)))
+        return "is in a series that does not follow from its flight";
+    return nullptr;
+}
+
+}  // namespace
+
+bool is_moment(const EpochTime& t)
+{
+    return t.offset >= 0 && t.offset < 1 && t.epoch >= 0 && t.epoch < furthest;
+}
+
+std::optional<Accepted> accept(const RunData& data, Findings& findings, const FlightRecord& f)
+{
+    const std::string who = "sphere " + std::to_string(f.body);
+    const auto refuse = [&](const std::string& what) -> std::optional<Accepted> {
+        findings.violation(what, is_moment(data.units.moment(f.start)) ? data.units.moment(f.start) : EpochTime{},
+                           f.body);
+        return {};
+    };
+    if (f.body < 0 || f.body >= data.spheres()) return refuse("a flight of " + who + ", which is not there");
+    if (!is_moment(data.units.moment(f.start)) || !is_finite(f)) return refuse(who + " has a number out of range");
+    if (f.acceleration < 0 || static_cast<std::size_t>(f.acceleration) >= data.accelerations.size() || f.support < -1 ||
+        f.support >= data.planes())
+        return refuse(who + " has an acceleration or a support that is not there");
+    Accepted out;
+    Path& path = out.path;
+    path.start = data.units.moment(f.start);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        path.cell[k] = f.cell[k];
+        path.local[k] = f.local[k] / data.units.length;
+        path.local_low[k] = f.local_low[k] / data.units.length;
+        path.velocity[i] = data.units.speed(f.velocity[k]);
+        path.velocity_low[i] = data.units.speed(f.velocity_low[k]);
+    }
+    path.acceleration = f.acceleration;
+    path.support = f.support;
+    path.mode = f.mode;
+    if (f.series) out.series = scaled(*f.series, data.units);
+    if (!path.velocity.allFinite()) return refuse(who + " has a speed out of range");
+    if (const char* wrong = wrong_with(data, f.body, path, out.series)) return refuse(who + " " + wrong);
+    if (path.mode == Mode::series && (data.index_of(out.series->acceleration) < 0 || data.index_of(Vec3::Zero()) < 0))
+        return refuse(who + " is in a series whose acceleration is not in the table");
+    return out;
+}
+
+void check_first(const RunData& data, Findings& findings, BodyId body, const Path& path)
+{
+    const RecordedSphere& sphere = data.sphere(body);
+    const double size = sphere.velocity.norm() / data.units.length * data.units.time;
+    for (int k = 0; k < 3; ++k) {
+        const DoubleDouble x =
+            DoubleDouble(static_cast<double>(path.cell[k])) + joined<DoubleDouble>(path.local[k], path.local_low[k]);
+        const double scene = sphere.position[k] / data.units.length;
+        const double off = std::abs((x - DoubleDouble(scene)).high);
+        // What lies on the negative side of 0 may be rounded to its cell.
+        if (off > (scene < 0 ? 2 * u : 0)) {
+            findings.violation("sphere " + std::to_string(body) + " does not start where the scene says", {}, body);
+            return;
+        }
+        const double v = data.units.speed(sphere.fixed ? 0 : sphere.velocity[k]);
+        const double turn = path.support < 0 ? 0 : 16 * u * size * std::abs(data.wall(path.support).normal[k]);
+        if (std::abs(path.velocity[k] - v) > turn || path.velocity_low[k] != 0) {
+            findings.violation("sphere " + std::to_string(body) + " does not start as fast as the scene says", {},
+                               body);
+            return;
+        }
+    }
+}
+
+}  // namespace carom::verification

@@ -1,0 +1,25 @@
+/// \file
+/// Can this flight be? Numbers in range, an acceleration and a mode that go with each other, and at the start the
+/// place and speed that the scene says.
+#pragma once
+
+#include "verify/findings.hpp"
+
+#include <optional>
+
+namespace carom::verification {
+
+/// In the verifier's units; none if no path can be made of it, which ends the examination.
+struct Accepted {
+    Path path;
+    std::optional<SeriesRecord> series;
+};
+std::optional<Accepted> accept(const RunData& data, Findings& findings, const FlightRecord& flight);
+
+/// The first flight of a body.
+void check_first(const RunData& data, Findings& findings, BodyId body, const Path& path);
+
+/// Is the moment one that can be? 0 <= offset < 1, a number of epochs that doubles hold exactly.
+bool is_moment(const EpochTime& t);
+
+}  // namespace carom::verification

@@ -1,0 +1,212 @@
+#include <carom/verify.hpp>
+
+#include "verify/coverage.hpp"
+#include "verify/flight_audit.hpp"
+#include "verify/impact_audit.hpp"
+
+#include <bit>
+
+namespace carom {
+
+namespace verification {
+
+namespace {
+
+/// CONTRACT section 4: FNV-1a 64 over seven words an event.
+class EventHash {
+public:
+    void add(const Event& e)
+    {
+        word(static_cast<std::uint64_t>(e.kind));
+        word((static_cast<std::uint64_t>(static_cast<std::uint32_t>(e.a)) << 32) | static_cast<std::uint32_t>(e.b));
+        word(static_cast<std::uint64_t>(e.at.epoch));
+        number(e.at.offset);
+        for (int k = 0; k < 3; ++k) number(e.impulse[k]);
+    }
+    std::uint64_t value() const { return hash_; }
+
+private:
+    void number(double x) { word(x == 0 ? 0 : std::bit_cast<std::uint64_t>(x)); }
+    void word(std::uint64_t w) { hash_ = (hash_ ^ w) * 0x100000001b3u; }
+
+    std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+class Verification {
+public:
+    Verification(FlightSource& source, const VerifyOptions& options)
+        : source_(source),
+          options_(options),
+          data_(source.run()),
+          findings_(out_, data_.units, options.most_violations),
+          coverage_(data_, flights_, findings_, options.all_pairs),
+          audit_(data_, flights_, findings_)
+    {
+        out_.spheres = data_.spheres();
+        out_.planes = data_.planes();
+        out_.certified = data_.run.certified;
+        flights_.paths.reserve(data_.radii.size());
+    }
+
+    Certificate go()
+    {
+        check_accelerations();
+        Instant instant;
+        bool going = true;
+        while (going && source_.next(instant)) going = take(instant) && wanted();
+        if (going)
+            end();
+        else if (has_all())
+            coverage_.finish(now_);
+        out_.until = data_.units.seconds(now_);
+        out_.event_hash = hash_.value();
+        return std::move(out_);
+    }
+
+private:
+    bool has_all() const { return flights_.paths.size() == data_.radii.size(); }
+
+    /// Entry 0 is zero; what else the table may say shows where it is used.
+    void check_accelerations()
+    {
+        const auto& table = data_.accelerations;
+        if (table.empty() || !table.front().isZero(0))
+            findings_.violation("the table of accelerations has no zero", {});
+    }
+
+    bool wanted()
+    {
+        constexpr std::int64_t look_every = 256;
+        if (!options_.on_progress || ++looked_ % look_every != 0) return true;
+        return options_.on_progress(data_.units.seconds(now_));
+    }
+
+    /// False: what follows cannot be understood any more.
+    bool take(const Instant& instant)
+    {
+        out_.events += static_cast<std::int64_t>(instant.events.size());
+        out_.flights += static_cast<std::int64_t>(instant.flights.size());
+        for (const Event& event : instant.events) hash_.add(event);
+        if (instant.flights.empty()) return impossible("events that begin no flight");
+        const EpochTime at = data_.units.moment(instant.flights.front().start);
+        if (!is_moment(at)) return impossible("a time out of range");
+        if (!has_all()) {
+            if (at != EpochTime{} || !instant.events.empty())
+                return impossible("something happens before all flights have begun");
+            return begin(instant.flights);
+        }
+        if (at < now_) return impossible("time runs backwards");
+        for (const FlightRecord& flight : instant.flights)
+            if (data_.units.moment(flight.start) != at)
+                return impossible("flights of one instant begin at several times");
+        for (const Event& event : instant.events)
+            if (!check_event(event, at)) return false;
+        now_ = at;
+        return change(instant);
+    }
+
+    bool impossible(const char* what, BodyId a = no_body)
+    {
+        findings_.violation(what, now_, a);
+        return false;
+    }
+
+    bool begin(std::span<const FlightRecord> flights)
+    {
+        for (const FlightRecord& flight : flights) {
+            if (has_all() || flight.body != static_cast<BodyId>(flights_.paths.size()))
+                return impossible("the flights of the start are not one for each sphere, in their order", flight.body);
+            if (data_.units.moment(flight.start) != EpochTime{})
+                return impossible("a first flight begins late", flight.body);
+            const auto accepted = accept(data_, findings_, flight);
+            if (!accepted) return false;
+            if (accepted->series) return impossible("a first flight is a series", flight.body);
+            check_first(data_, findings_, flight.body, accepted->path);
+            flights_.paths.push_back(accepted->path);
+        }
+        if (has_all()) coverage_.begin();
+        return true;
+    }
+
+    bool check_event(const Event& event, const EpochTime& at)
+    {
+        const BodyId bodies = data_.spheres() + data_.planes();
+        if (data_.units.moment(event.at) != at)
+            return impossible("an event is not at the time of the flights that it begins", event.a);
+        if (event.a < 0 || event.a >= data_.spheres() || event.b <= event.a || event.b >= bodies)
+            return impossible("an event of bodies that are not there", event.a);
+        if (!event.normal.allFinite() || !event.impulse.allFinite())
+            return impossible("an event with a number out of range", event.a);
+        return true;
+    }
+
+    bool change(const Instant& instant)
+    {
+        coverage_.advance(now_);
+        for (const FlightRecord& flight : instant.flights)
+            if (flight.body < 0 || flight.body >= data_.spheres()) return impossible("a flight of nobody", flight.body);
+        audit_.begin(instant.events, instant.flights, now_);
+        for (const FlightRecord& flight : instant.flights) {
+            auto accepted = accept(data_, findings_, flight);
+            if (!accepted) return false;
+            coverage_.close(flight.body, now_);
+            flights_.path(flight.body) = accepted->path;
+            flights_.series.erase(flight.body);
+            if (accepted->series) flights_.series.emplace(flight.body, *accepted->series);
+            coverage_.open(flight.body, now_);
+            audit_.change(flight.body);
+        }
+        audit_.end();
+        return true;
+    }
+
+    void end()
+    {
+        const auto& end = data_.run.end;
+        out_.complete = end.has_value();
+        if (!has_all()) {
+            if (end) findings_.violation("spheres without flights", now_);
+            return;
+        }
+        if (end) {
+            const EpochTime said = moment_of(end->time);
+            if (said < now_ && end->time < data_.units.seconds(now_))
+                findings_.violation("flights after the end", now_);
+            now_ = std::max(now_, said);
+            if (end->event_hash != hash_.value()) findings_.violation("the event hash is not that of the events", now_);
+            if (end->events != out_.events || end->flights != out_.flights)
+                findings_.violation("events or flights are missing", now_);
+        }
+        coverage_.finish(now_);
+    }
+
+    /// A time in seconds, split exactly.
+    EpochTime moment_of(double seconds) const
+    {
+        const double epochs = seconds / data_.units.time, whole = std::floor(epochs);
+        return {static_cast<std::int64_t>(std::min(whole, 0x1p52)), epochs - whole};
+    }
+
+    FlightSource& source_;
+    const VerifyOptions& options_;
+    Certificate out_;
+    RunData data_;
+    Flights flights_;
+    Findings findings_;
+    Coverage coverage_;
+    ImpactAudit audit_;
+    EventHash hash_;
+    EpochTime now_;
+    std::int64_t looked_ = 0;
+};
+
+}  // namespace
+
+}  // namespace verification
+
+Certificate verify(FlightSource& source, const VerifyOptions& options)
+{
+    return verification::Verification(source, options).go();
+}
+
+}  // namespace carom

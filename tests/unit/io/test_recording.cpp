@@ -1,0 +1,256 @@
+#include "io/columns.hpp"
+#include "recording_file.hpp"
+#include "support/recorded.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <sqlite3.h>
+
+#include <set>
+
+using namespace carom;
+using namespace carom::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string bytes_of(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write_bytes(const std::filesystem::path& file, const std::string& bytes)
+{
+    std::ofstream(file, std::ios::binary) << bytes;
+}
+
+void run_sql(const std::filesystem::path& file, const char* sql)
+{
+    sqlite3* db = nullptr;
+    REQUIRE(sqlite3_open(file.c_str(), &db) == SQLITE_OK);
+    REQUIRE(sqlite3_exec(db, sql, nullptr, nullptr, nullptr) == SQLITE_OK);
+    sqlite3_close(db);
+}
+
+Scene ball_with_series()
+{
+    Scene scene = empty_scene(5, earth, 0.8);
+    scene.materials[0].tangential = 0.9;
+    add_sphere(scene, 0.1, {0, 0, 1.1}, {0.2, 0, 0});
+    scene.spheres.back().id = "\"ball\", \xc3\xa4";
+    add_floor(scene);
+    scene.contacts.push_back({0, 0, 0.75, {}, {}});
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("columns come back to the bit, whatever is in them", "[recording]")
+{
+    Random random(1);
+    for (const std::size_t n : {0UL, 1UL, 2UL, 1000UL, 20000UL}) {
+        std::vector<double> noise(n), same(n, -0.0), steps(n);
+        std::vector<std::int64_t> counts(n);
+        std::vector<std::int32_t> small(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            noise[i] = random.uniform(-1, 1);
+            steps[i] = static_cast<double>(i) / 64;
+            counts[i] = i % 7 == 0 ? std::numeric_limits<std::int64_t>::min() : static_cast<std::int64_t>(i * i);
+            small[i] = static_cast<std::int32_t>(i % 100) - 50;
+        }
+        io::ColumnWriter out;
+        out.add(noise);
+        out.add(same);
+        out.add(steps);
+        out.add_differences(counts);
+        out.add(small);
+        std::vector<double> a, b, c;
+        std::vector<std::int64_t> d;
+        std::vector<std::int32_t> e;
+        io::ColumnReader in(out.bytes(), n, "file");
+        in.read(a);
+        in.read(b);
+        in.read(c);
+        in.read_differences(d);
+        in.read(e);
+        in.finish();
+        CHECK(a == noise);
+        CHECK((n == 0 || std::signbit(b.back())));
+        CHECK(c == steps);
+        CHECK(d == counts);
+        CHECK(e == small);
+        if (n == 20000) CHECK(out.bytes().size() < 20000 * (8 + 0 + 4 + 4 + 2));
+        // Whatever is cut off or changed is refused or read as something else, never worse.
+        for (std::size_t k = 0; k + 1 < out.bytes().size() && k < 300; ++k) {
+            io::ColumnReader cut(std::span(out.bytes()).first(k), n, "file");
+            CHECK_THROWS_AS((cut.read(a), cut.read(b), cut.read(c), cut.read_differences(d), cut.read(e)), InputError);
+        }
+    }
+}
+
+TEST_CASE("a recording gives back what the run showed, to the bit", "[recording]")
+{
+    const RecordingFolder folder;
+    for (const Scene& scene : {gas(3, 100, 5, {0, 0, -1}, 0.95), ball_with_series()}) {
+        const std::filesystem::path file = folder / "run.carom";
+        const Outcome outcome = record_to(file, scene);
+        const MemorySource expected = recorded(scene);
+        RecordingReader reader(file);
+        CHECK(reader.meta().at("status") == "reached_end");
+        CHECK(reader.run().end->event_hash == outcome.event_hash);
+        CHECK(reader.run().end->time == outcome.time);
+        CHECK(reader.run().frame.accelerations == expected.description.frame.accelerations);
+        CHECK(reader.body_name(0) == scene.spheres[0].id);
+        CHECK(reader.body_name(scene.plane_body(0)) == scene.planes[0].id);
+        Instant instant;
+        std::size_t events = 0, flights = 0, series = 0;
+        while (reader.next(instant)) {
+            for (const Event& e : instant.events) {
+                const Event& known = expected.events.at(events++);
+                CHECK((e.at == known.at && e.a == known.a && e.b == known.b && e.kind == known.kind));
+                CHECK((e.impulse == known.impulse && e.normal == known.normal));
+            }
+            for (const FlightRecord& f : instant.flights) {
+                CHECK(expected.after.at(flights) == events);
+                const FlightRecord& known = expected.flights.at(flights++);
+                CHECK((f.body == known.body && f.start == known.start && f.cell == known.cell));
+                CHECK((f.local == known.local && f.velocity == known.velocity && f.local_low == known.local_low));
+                CHECK((f.mode == known.mode && f.support == known.support && f.acceleration == known.acceleration));
+                REQUIRE(f.series.has_value() == known.series.has_value());
+                if (!f.series) continue;
+                ++series;
+                CHECK(f.series->normal_speed == known.series->normal_speed);
+                CHECK(f.series->velocity == known.series->velocity);
+                CHECK(f.series->acceleration == known.series->acceleration);
+            }
+        }
+        CHECK(events == expected.events.size());
+        CHECK(flights == expected.flights.size());
+        CHECK((scene.spheres.size() > 1 || series == 1));
+        RecordingReader again(file);
+        CHECK(verify(again).holds());
+    }
+}
+
+TEST_CASE("a recording says how often spheres touch what, whatever the names", "[recording]")
+{
+    const RecordingFolder folder;
+    const Scene scene = ball_with_series();
+    record_to(folder / "run.carom", scene);
+    const RecordingReader reader(folder / "run.carom");
+    // The scene in it is a scene, but for the spheres.
+    CHECK_THAT(reader.scene(), Contains("\"carom-scene/1\"") && Contains("0.75"));
+    CHECK(reader.run().contacts.at(0).restitution == 0.75);
+    CHECK_FALSE(reader.run().contacts.at(0).tangential);
+    CHECK(find_recording(folder / "run.carom") == find_recording((folder / "run.carom").parent_path()));
+    CHECK_THROWS_AS(find_recording(folder / "nothing"), InputError);
+}
+
+TEST_CASE("of 1000 flipped bits every one that changes what is read is refused", "[recording]")
+{
+    const RecordingFolder folder;
+    const std::filesystem::path file = folder / "run.carom", flipped = folder / "flipped.carom";
+    record_to(file, gas(3, 300, 2));
+    const std::string bytes = bytes_of(file), content = content_of(file);
+    INFO("size " << bytes.size());
+    Random random(2);
+    int refused = 0, unused = 0;
+    for (int i = 0; i < 1000; ++i) {
+        std::string damaged = bytes;
+        const auto at = static_cast<std::size_t>(random.uniform(0, static_cast<double>(bytes.size())));
+        const int bit = static_cast<int>(random.uniform(0, 8));
+        damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
+        write_bytes(flipped, damaged);
+        try {
+            const std::string read = content_of(flipped);
+            INFO("byte " << at << " bit " << bit);
+            CHECK(read == content);
+            ++unused;
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    CHECK(refused + unused == 1000);
+    CHECK(unused < 100);
+    WARN("of 1000 flipped bits " << refused << " are refused, " << unused << " are in bytes that nobody reads");
+}
+
+TEST_CASE("flips in the pages that SQLite keeps its own books in are refused, too", "[recording]")
+{
+    // A short recording is little else.
+    const RecordingFolder folder;
+    const std::filesystem::path file = folder / "run.carom", flipped = folder / "flipped.carom";
+    record_to(file, ball_with_series());
+    const std::string bytes = bytes_of(file), content = content_of(file);
+    Random random(3);
+    int refused = 0;
+    for (int i = 0; i < 1500; ++i) {
+        std::string damaged = bytes;
+        const auto at = static_cast<std::size_t>(random.uniform(0, static_cast<double>(bytes.size())));
+        damaged[at] = static_cast<char>(damaged[at] ^ (1 << static_cast<int>(random.uniform(0, 8))));
+        write_bytes(flipped, damaged);
+        try {
+            const std::string read = content_of(flipped);
+            INFO("byte " << at);
+            CHECK(read == content);
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    CHECK(refused > 500);
+}
+
+TEST_CASE("rows that are missing, doubled or out of order are damage", "[recording]")
+{
+    const RecordingFolder folder;
+    const std::filesystem::path file = folder / "run.carom", changed = folder / "changed.carom";
+    RunOptions options;
+    options.max_events = 30000;
+    record_to(file, gas(3, 100, 1e6), options);
+    CHECK_NOTHROW(content_of(file));
+    for (const char* sql :
+         {"DELETE FROM chunks WHERE seq = 2", "DELETE FROM chunks WHERE seq = (SELECT max(seq) FROM chunks)",
+          "UPDATE chunks SET seq = -1 WHERE seq = 0", "DELETE FROM meta WHERE key = 'status'",
+          "UPDATE meta SET value = 'zeno' WHERE key = 'status'", "UPDATE meta SET value = '9' WHERE key = 'time'",
+          "INSERT INTO meta VALUES ('extra', '1')", "UPDATE frame SET cell_size = 2 * cell_size",
+          "DELETE FROM bodies WHERE kind = 'planes'", "UPDATE bodies SET count = count + 1", "DELETE FROM scene",
+          "UPDATE scene SET document = x'00'", "UPDATE chunks SET last_offset = last_offset / 2 WHERE seq = 3",
+          "UPDATE chunks SET count = '7' WHERE seq = 3", "CREATE TABLE more(x)", "PRAGMA user_version = 2",
+          "PRAGMA application_id = 1", "UPDATE chunks SET highest_body = 101 WHERE seq = 1"}) {
+        std::filesystem::copy_file(file, changed, std::filesystem::copy_options::overwrite_existing);
+        run_sql(changed, sql);
+        INFO(sql);
+        CHECK_THROWS_AS(content_of(changed), InputError);
+    }
+}
+
+TEST_CASE("what is no recording is said so", "[recording]")
+{
+    const RecordingFolder folder;
+    const auto problem = [&](const std::string& bytes) -> std::string {
+        write_bytes(folder / "x.carom", bytes);
+        try {
+            RecordingReader reader(folder / "x.carom");
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    CHECK_THAT(problem("just text, and not little of it, really"), Contains("x.carom"));
+    CHECK_THAT(problem(""), Contains("no carom recording"));
+    CHECK_THROWS_AS(RecordingReader(folder / "missing.carom"), InputError);
+    CHECK_THROWS_AS(RecordingWriter("/proc/nowhere/run.carom", ball_with_series()), InputError);
+}
+
+TEST_CASE("a file cut anywhere is refused or reads as a part", "[recording]")
+{
+    const RecordingFolder folder;
+    const std::filesystem::path file = folder / "run.carom", cut = folder / "cut.carom";
+    record_to(file, gas(3, 100, 5));
+    const std::string bytes = bytes_of(file);
+    for (std::size_t n = 0; n < bytes.size(); n += 997) {
+        write_bytes(cut, bytes.substr(0, n));
+        CHECK_THROWS_AS(content_of(cut), InputError);
+    }
+}

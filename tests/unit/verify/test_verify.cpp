@@ -1,0 +1,315 @@
+#include "support/multiprecision.hpp"
+#include "support/recorded.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <bit>
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+Certificate examined(MemorySource source, bool all_pairs = false)
+{
+    VerifyOptions options;
+    options.all_pairs = all_pairs;
+    return verify(source, options);
+}
+
+std::string first_violation(const Certificate& c)
+{
+    return c.violations.empty() ? std::string() : c.violations.front().what;
+}
+
+Scene bouncing_ball()
+{
+    Scene scene = empty_scene(5, earth, 0.8);
+    add_sphere(scene, 0.1, {0, 0, 1.1}, {0.2, 0, 0});
+    add_floor(scene);
+    return scene;
+}
+
+/// Slides down, is hit, bounces in a series, rests: every mode.
+Scene every_mode()
+{
+    Scene scene = empty_scene(6, earth, 0.7);
+    scene.materials[0].tangential = 0.9;
+    add_floor(scene);
+    add_sphere(scene, 0.1, {0, 0, 1.1}, {0.3, 0, 0});
+    add_sphere(scene, 0.2, {3, 0, 0.2}, {-0.5, 0, 0}, 2);
+    add_sphere(scene, 0.3, {-4, 0, 0.3});
+    scene.spheres.back().fixed = true;
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("true runs hold: gases, gravity, losses, radii of all sizes", "[verify]")
+{
+    for (const double restitution : {1.0, 0.9})
+        for (const Vec3& gravity : {Vec3(Vec3::Zero()), Vec3(0, 0, -1)})
+            for (const double smallest : {0.3, 0.003}) {
+                const Scene scene = gas(5, 60, 3, gravity, restitution, smallest, 0.5);
+                const MemorySource source = recorded(scene);
+                const Certificate c = examined(source);
+                INFO(first_violation(c));
+                CHECK(c.holds());
+                CHECK(c.complete);
+                CHECK(c.until == source.description.end->time);
+                CHECK(c.events == static_cast<std::int64_t>(source.events.size()));
+                CHECK(c.impulses > 50);
+                CHECK(c.event_hash == source.description.end->event_hash);
+                CHECK(c.body_seconds.not_certified == 0);
+                CHECK(c.body_seconds.exact + c.body_seconds.bounded == Approx(60 * c.until));
+                CHECK(c.largest_impulse_error < 1e-15);
+                CHECK(c.largest_jump < 1);
+            }
+}
+
+TEST_CASE("series, slides, rests and fixed spheres hold", "[verify]")
+{
+    const Certificate ball = examined(recorded(bouncing_ball()));
+    INFO(first_violation(ball));
+    CHECK(ball.holds());
+    CHECK(ball.body_seconds.not_certified == 0);
+    const MemorySource source = recorded(every_mode());
+    const auto has = [&](Mode mode) {
+        return std::any_of(source.flights.begin(), source.flights.end(), [&](const auto& f) { return f.mode == mode; });
+    };
+    for (const Mode mode : {Mode::flying, Mode::series, Mode::sliding, Mode::fixed}) CHECK(has(mode));
+    const Certificate all = examined(source);
+    INFO(first_violation(all));
+    CHECK(all.holds());
+}
+
+TEST_CASE("the smallest gap is that of all pairs in many digits", "[verify]")
+{
+    for (const Vec3& gravity : {Vec3(Vec3::Zero()), Vec3(0, 0, -1)})
+        for (const int count : {10, 50}) {
+            const Scene scene = gas(7, count, count == 10 ? 3 : 0.4, gravity);
+            const MemorySource source = recorded(scene);
+            REQUIRE(source.events.size() > 10);
+            const double oracle = smallest_gap<Float200>(source).convert_to<double>();
+            const Certificate grid = examined(source), all = examined(source, true);
+            CHECK(grid.smallest_gap == Approx(oracle).epsilon(1e-9));
+            CHECK(all.smallest_gap == grid.smallest_gap);
+            CHECK(all.body_seconds.exact == Approx(grid.body_seconds.exact));
+        }
+    // Nobody touches anybody.
+    Scene apart = empty_scene(10);
+    add_sphere(apart, 1, {0, 0, 0}, {1, 0, 0});
+    add_sphere(apart, 1, {10, 3, 0}, {-1, 0, 0});
+    const MemorySource source = recorded(apart);
+    CHECK(examined(source).smallest_gap == Approx(1).epsilon(1e-14));
+}
+
+TEST_CASE("a flight shifted by 1e-9 is refused", "[verify]")
+{
+    const MemorySource run = recorded(gas(9, 60, 2, {0, 0, -1}));
+    for (const std::size_t i : {3UL, 61UL, run.flights.size() / 2, run.flights.size() - 1})
+        for (std::size_t k = 0; k < 3; ++k) {
+            MemorySource forged = run;
+            forged.flights[i].local[k] += 1e-9;
+            CHECK_FALSE(examined(forged).holds());
+        }
+}
+
+TEST_CASE("a flip in the upper 40 bits of any number of a flight is refused", "[verify]")
+{
+    Random random(11);
+    for (const Scene& scene : {gas(9, 50, 1, {0, 0, -1}), every_mode()}) {
+        const MemorySource run = recorded(scene);
+        int below_rounding = 0;
+        constexpr int tries = 400;
+        for (int i = 0; i < tries; ++i) {
+            MemorySource forged = run;
+            FlightRecord& f =
+                forged.flights[static_cast<std::size_t>(random.uniform(0, static_cast<double>(forged.flights.size())))];
+            const auto k = static_cast<std::size_t>(random.uniform(0, 3));
+            const int bit = 24 + static_cast<int>(random.uniform(0, 40));
+            const int which = static_cast<int>(random.uniform(0, 4));
+            double* const number = which == 0   ? &f.local[k]
+                                   : which == 1 ? &f.velocity[k]
+                                   : which == 2 ? &f.start.offset
+                                                : nullptr;
+            if (number == nullptr) {
+                f.cell[k] ^= std::int64_t{1} << bit;
+                CHECK_FALSE(examined(forged).holds());
+                continue;
+            }
+            const double before = *number;
+            *number = std::bit_cast<double>(std::bit_cast<std::uint64_t>(before) ^ (std::uint64_t{1} << bit));
+            if (*number == before) continue;  // a zero that became the other one
+            if (!examined(forged).holds()) continue;
+            // Small numbers beside large ones: the change must be one that rounding makes, too.
+            CHECK(std::abs(*number - before) < 1e-14);
+            ++below_rounding;
+        }
+        CHECK(below_rounding < tries / 50);
+    }
+}
+
+TEST_CASE("forged events are refused", "[verify]")
+{
+    const MemorySource run = recorded(gas(9, 60, 2, {0, 0, -1}));
+    REQUIRE(examined(run).holds());
+    Random random(12);
+    for (int i = 0; i < 30; ++i) {
+        const auto at = static_cast<std::size_t>(random.uniform(0, static_cast<double>(run.events.size() - 1)));
+        MemorySource deleted = run;
+        deleted.events.erase(deleted.events.begin() + static_cast<std::ptrdiff_t>(at));
+        for (std::size_t& after : deleted.after) after -= after > at;
+        deleted.seal();
+        CHECK_FALSE(examined(deleted).holds());
+
+        MemorySource pushed = run;
+        pushed.events[at].impulse *= 1 + 1e-9;
+        CHECK_FALSE(examined(pushed).holds());  // by its hash, at least
+        pushed.events[at].impulse = run.events[at].impulse * (1 + 1e-6);
+        pushed.seal();
+        CHECK_FALSE(examined(pushed).holds());
+
+        MemorySource swapped = run;
+        std::swap(swapped.events[at].at, swapped.events[at + 1].at);
+        swapped.seal();
+        CHECK_FALSE(examined(swapped).holds());
+
+        MemorySource flights = run;
+        const std::size_t f = 60 + at;
+        if (flights.flights[f].start != flights.flights[f + 1].start) {
+            std::swap(flights.flights[f].start, flights.flights[f + 1].start);
+            CHECK_FALSE(examined(flights).holds());
+        }
+        MemorySource other = run;
+        other.events[at].normal = random.in_cube(1).normalized();
+        other.seal();
+        CHECK_FALSE(examined(other).holds());
+    }
+}
+
+TEST_CASE("an impulse larger by 1e-9 is refused by physics alone, but where rounding is as large", "[verify]")
+{
+    const MemorySource run = recorded(gas(9, 60, 2, {0, 0, -1}));
+    int refused = 0, tried = 0;
+    for (std::size_t i = 0; i < run.events.size(); i += 7) {
+        MemorySource forged = run;
+        forged.events[i].impulse *= 1 + 1e-9;
+        forged.seal();
+        refused += !examined(forged).holds();
+        ++tried;
+    }
+    CHECK(refused == tried);
+}
+
+TEST_CASE("what a run may not do is told", "[verify]")
+{
+    const MemorySource run = recorded(gas(9, 60, 2, {0, 0, -1}));
+    const auto refused = [&](const auto& forge, const char* why) {
+        MemorySource forged = run;
+        forge(forged);
+        forged.seal();
+        const Certificate c = examined(forged);
+        INFO(first_violation(c));
+        CHECK_FALSE(c.holds());
+        CHECK_THAT(first_violation(c), Catch::Matchers::Contains(why));
+    };
+    refused([](MemorySource& s) { s.description.gravity.z() *= 1.0000001; }, "not gravity");
+    refused([](MemorySource& s) { s.description.materials[0].restitution = 0.999999; }, "not that of its contact");
+    refused([](MemorySource& s) { s.description.spheres[7].radius *= 1.001; }, "");
+    refused([](MemorySource& s) { s.description.spheres[7].mass *= 1.001; }, "");
+    refused([](MemorySource& s) { s.description.spheres[7].position.x() += 1e-12; }, "where the scene says");
+    refused([](MemorySource& s) { s.description.end->time = 1; }, "after the end");
+    refused([](MemorySource& s) { s.flights[100].acceleration = 0; }, "not gravity");
+    refused([](MemorySource& s) { s.flights[100].mode = Mode::resting; }, "support");
+    refused([](MemorySource& s) { s.flights[100].body = 60; }, "nobody");
+    refused([](MemorySource& s) { s.flights[100].velocity[0] = std::numeric_limits<double>::quiet_NaN(); }, "range");
+}
+
+TEST_CASE("spheres that pass through each other are found, with grid and without", "[verify]")
+{
+    // Two ghosts among many: no event, flights straight through.
+    Scene scene = empty_scene(10);
+    for (int i = 0; i < 60; ++i) add_sphere(scene, 0.3, {2.0 * i, 20, 0});
+    add_sphere(scene, 0.5, {0, 0, 0}, {1, 0, 0});
+    add_sphere(scene, 0.5, {10, 0.9, 0}, {-1, 0, 0});
+    MemorySource source = recorded(scene);
+    source.events.clear();
+    source.flights.resize(scene.spheres.size());
+    source.after.assign(scene.spheres.size(), 0);
+    source.seal();
+    for (const bool all : {false, true}) {
+        const Certificate c = examined(source, all);
+        CHECK_FALSE(c.holds());
+        CHECK(c.violations.front().a == 60);
+        CHECK(c.violations.front().b == 61);
+        CHECK(c.smallest_gap == Approx(-0.1));
+    }
+}
+
+TEST_CASE("a run that claims certified flights is held to gaps of 0", "[verify]")
+{
+    MemorySource source = recorded(gas(9, 60, 2, {0, 0, -1}));
+    source.description.certified = true;
+    CHECK_FALSE(examined(source).holds());
+}
+
+TEST_CASE("double-double flights made by hand hold as certified", "[verify]")
+{
+    // Two spheres meet at a time that is no double of the contact: a's impact is put a little early, at a gap > 0.
+    MemorySource source;
+    RecordedRun& run = source.description;
+    run.certified = true;
+    run.frame = {1, 1, {Vec3::Zero()}};
+    run.materials = {Material{"default", 1, 1, ""}};
+    run.spheres = {{0.3, 1, {0.1, 0.1, 0.1}, {0.7, 0, 0}, 0, false}, {0.3, 1, {1.1, 0.1, 0.1}, {0, 0, 0}, 0, false}};
+    const double t = 0.4 / 0.7 * (1 - 1e-16);
+    FlightRecord a{0, {}, {0, 0, 0}, {0.1, 0.1, 0.1}, {}, {0.7, 0, 0}, {}, 0, -1, Mode::flying, {}};
+    FlightRecord b = a;
+    b.body = 1;
+    b.cell[0] = 1;
+    b.local[0] = 1.1 - 1;
+    b.velocity[0] = 0;
+    source.flights = {a, b};
+    a.start = b.start = {0, t};
+    const Sum travel = two_product(0.7, t);
+    const DoubleDouble x = DoubleDouble(0.1) + DoubleDouble(travel);
+    a.local = {x.high, 0.1, 0.1};
+    a.local_low[0] = x.low;
+    a.velocity[0] = 0;
+    b.velocity[0] = 0.7;
+    source.flights.push_back(a);
+    source.flights.push_back(b);
+    source.after = {0, 0, 1, 1};
+    Event e{EventKind::impact, {0, t}, t, 0, 1, {-1, 0, 0}, {-0.7, 0, 0}};
+    source.events = {e};
+    run.end = RecordedEnd{2, 0, 0, 0};
+    source.seal();
+    const Certificate c = examined(source);
+    INFO(first_violation(c));
+    CHECK(c.holds());
+    CHECK(c.body_seconds.exact == Approx(4));
+    CHECK(c.smallest_gap >= 0);
+    CHECK(c.smallest_gap < 1e-15);
+
+    MemorySource forged = source;
+    forged.flights[2].local_low[0] += 1e-24;  // far below double, above double-double
+    CHECK_FALSE(examined(forged).holds());
+}
+
+TEST_CASE("overlaps of the start may stay, not deepen", "[verify]")
+{
+    Scene scene = empty_scene(1);
+    add_sphere(scene, 1, {0, 0, 0}, {0, 0.5, 0});
+    add_sphere(scene, 1, {2 - 1e-10, 0, 0}, {0, 0.5, 0});
+    MemorySource source = recorded(scene);
+    REQUIRE(source.events.empty());
+    CHECK(examined(source).holds());
+    CHECK(examined(source).body_seconds.exact == Approx(2));
+    for (const double speed : {1e-3, -1e-3}) {
+        MemorySource moving = source;
+        moving.flights[0].velocity[0] = speed;
+        moving.description.spheres[0].velocity.x() = speed;
+        CHECK(examined(moving).holds() == (speed < 0));
+    }
+}
