@@ -159,7 +159,7 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
 {
     const Choices choices(args.given, scene.run, file + ": /run");
     choices.expect_known({"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events",
-                          "max_seconds", "final", "kernel"});
+                          "max_seconds", "final", "kernel", "certified"});
     StepOptions step;
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();
@@ -170,6 +170,7 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
     RunSettings settings{make_method(choices.methods("method", {"event"}).front(), step), {}, false};
     if (auto* event = std::get_if<EventDriven>(&settings.method)) {
         event->kernel = choices.text("kernel");
+        event->certified = choices.flag("certified");
         choose_kernel(scene, event->kernel);  // a wrong name is the user's mistake: say so before anything runs
     }
     settings.always_final = args.always_final || choices.flag("final");

@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> later_commands{"tunnel", "view", "export", "query"};
 constexpr std::string_view query_service = "toi";
-constexpr std::array<std::string_view, 5> later_options{"--certified", "--impact", "--guard", "--save-state",
-                                                        "--equilibrate"};
+constexpr std::array<std::string_view, 4> later_options{"--impact", "--guard", "--save-state", "--equilibrate"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word)

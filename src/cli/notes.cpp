@@ -19,6 +19,8 @@ std::vector<std::string> ignored_options(const GivenOptions& given, const Method
         notes.push_back("--literal has no effect: it is for --method pbd");
     if (given.contains("kernel") && steps)
         notes.push_back("--kernel has no effect: it is for the event method, not for " + std::string(name(method)));
+    if (given.contains("certified") && steps)
+        notes.push_back("--certified has no effect: it is for the event method, not for " + std::string(name(method)));
     return notes;
 }
 

@@ -55,6 +55,9 @@ void define_run(CLI::App& app, RunArguments& run)
     add_given(app, run.given, "--passes", "N", "Passes over the contacts in a substep [1]");
     add_step_options(app, run.given);
     add_given(app, run.given, "--kernel", "K", "Force a kernel of the event method (carom explain lists them)");
+    app.add_flag_callback(
+        "--certified", [&run] { run.given["certified"] = "true"; },
+        "event only: places in double-double, no gap below 0 in free flight; for carom verify");
     add_given(app, run.given, "--until", "T", "End of the run, counted from its start [the scene's end_time]");
     add_given(app, run.given, "--max-events", "N", "Stop after so many events, or steps of a discrete method [1e9]");
     add_given(app, run.given, "--max-seconds", "S", "Stop after so many seconds on the clock");

@@ -66,6 +66,8 @@ std::unique_ptr<RecordingWriter> make_recording(const std::filesystem::path& fol
     RecordingOptions options;
     options.method = std::string(name(settings.method));
     options.until = settings.run.until;
+    const auto* event = std::get_if<EventDriven>(&settings.method);
+    options.certified = event != nullptr && event->certified;
     return std::make_unique<RecordingWriter>(folder / recording_name, scene, options);
 }
 

@@ -44,11 +44,25 @@ EpochTime rough_time(const Frame& frame, const EpochTime& from, double t)
     return time;
 }
 
-/// The latest time, to the resolution, not after from + t.
+/// t + by, `by` of either sign and below 2^52 epochs.
+EpochTime shifted(const Frame& frame, const EpochTime& t, double by)
+{
+    const double sum = t.offset + by, whole = std::floor(sum / frame.epoch_length);
+    const double offset = std::max(0.0, sum - whole * frame.epoch_length);
+    return {t.epoch + static_cast<std::int64_t>(whole), std::min(offset, std::nextafter(frame.epoch_length, 0.0))};
+}
+
+/// The latest time, to the resolution or a few of its steps, not after from + t.
 EpochTime no_later(const Frame& frame, const EpochTime& from, DoubleDouble t)
 {
     EpochTime time = frame.after(from, t.high);
-    while (from < time && time != never && lifted_between(frame, from, time) > t) time = step_back(frame, from, time);
+    if (time == never) return time;
+    // After a long wait the last bit of t.high is many steps of the resolution.
+    const DoubleDouble rest = t - lifted_between(frame, from, time);
+    if (std::abs(rest.high) > u * frame.epoch_length) time = std::max(from, shifted(frame, time, rest.high));
+    constexpr int most_steps = 16;
+    for (int i = 0; i < most_steps && from < time && lifted_between(frame, from, time) > t; ++i)
+        time = step_back(frame, from, time);
     return time;
 }
 

@@ -81,7 +81,8 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
     const StepOptions* step = step_options(method);
     Json json = {{"format", "carom-run/1"}, {"scene", scene.name}, {"method", run.method}};
     json["kernel"] = outcome.kernel.empty() ? Json(nullptr) : Json(outcome.kernel);
-    json["number"] = "double";
+    const auto* event = std::get_if<EventDriven>(&method);
+    json["number"] = event != nullptr && event->certified ? "double-double" : "double";
     if (step != nullptr) json["step"] = step_json(*step);
     json["status"] = name(outcome.status);
     json["message"] = outcome.message;
