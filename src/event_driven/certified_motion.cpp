@@ -281,6 +281,31 @@ ContactTime contact_time(const Frame& frame, const EpochTime& from, const Enclos
     return {true, rough_time(frame, from, e.t_lo.high)};
 }
 
+/// Half of all pairs end here.
+bool certainly_separating(const Vec3& r, const Vec3& v, const SphereInputError& error)
+{
+    const double p1 = r.x() * v.x(), p2 = r.y() * v.y(), p3 = r.z() * v.z();
+    const double rs = std::abs(r.x()) + std::abs(r.y()) + std::abs(r.z()),
+                 vs = std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z());
+    const double bound = 8 * u * (std::abs(p1) + std::abs(p2) + std::abs(p3)) + 2 * (error.v * rs + error.r * vs) +
+                         4 * error.r * error.v;
+    // Neither overflow nor underflow passes for certain.
+    constexpr double least = 0x1p-900;
+    return p1 + p2 + p3 > bound && bound > least;
+}
+
+/// No speed towards a plane that is no plate, and no acceleration: most walls, most of the time.
+bool certainly_receding(const State& state, const Flight& f, int p)
+{
+    const Plane& plane = state.plane(p);
+    if (plane.thickness || !(plane.normal.dot(f.velocity) > 8 * u * largest(f.velocity))) return false;
+    if (f.acceleration == Accelerations::none) return true;
+    const Vec3& g = state.accelerations[f.acceleration];
+    bool across = true;  // gravity along the plane, to the last bit
+    for (int k = 0; k < 3; ++k) across = across && (plane.normal[k] == 0 || g[k] == 0);
+    return across || plane.normal.dot(g) > 8 * u * largest(g);
+}
+
 /// C = r.r - S^2 with its bound.
 Bounded squared_gap(const DoubleDouble3& r, DoubleDouble s)
 {
@@ -337,6 +362,7 @@ ContactTime rough_pair_time(const State& state, BodyId a, BodyId b)
     SphereInputError error;
     error.r = 6 * u * (largest(m.r) + state.frame.cell_size + dt * speed) + dt_error * speed;
     error.v = 4 * u * (largest(m.v) + speed) + dt_error * g;
+    if (certainly_separating(m.r, m.v, error)) return {};
     const Enclosure<double> quick = enclose(m.r, m.v, m.contact_distance, error);
     if (quick.decided == Decision::none) return {};
     if (quick.decided == Decision::impact) return {true, rough_time(state.frame, m.from, quick.t_lo)};
@@ -347,6 +373,7 @@ ContactTime rough_pair_time(const State& state, BodyId a, BodyId b)
 ContactTime rough_plane_time(const State& state, BodyId body, int p)
 {
     const Flight& f = state.flight(body);
+    if (certainly_receding(state, f, p)) return {};
     const PlaneMotion m = plane_motion(state, moving(state, body), p);
     const double g = largest(state.accelerations[f.acceleration]);
     const PlaneInputError error{8 * u * (std::abs(m.h) + state.frame.cell_size), 8 * u * largest(f.velocity),
