@@ -20,6 +20,7 @@ int do_explain(const ExplainArguments& args, const GlobalArguments& global, cons
 int do_stress(const StressArguments& args, const GlobalArguments& global, const Console& console);
 int do_report(const ReportArguments& args, const GlobalArguments& global, const Console& console);
 int do_scenes(const ScenesArguments& args, const GlobalArguments& global, const Console& console);
+int do_toi(const Console& console);
 
 /// Folder of the catalogue: the environment's CAROM_SCENES, else that of the build.
 std::filesystem::path scene_folder();

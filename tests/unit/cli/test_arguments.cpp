@@ -130,7 +130,7 @@ TEST_CASE("what belongs to later versions is refused and not in the help", "[arg
 {
     std::string help = parse_arguments({"-h"}).out;
     for (const char* command : {"run", "compare", "stress", "scenes"}) help += parse_arguments({command, "-h"}).out;
-    for (const char* word : {"tunnel", "verify", "view", "export", "query", "toi", "--certified", "--impact", "--guard",
+    for (const char* word : {"tunnel", "verify", "view", "export", "query", "--certified", "--impact", "--guard",
                              "--save-state", "--equilibrate", "moreau", "penalty"}) {
         CAPTURE(word);
         CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
