@@ -46,8 +46,10 @@ inline SphereQuadratic sphere_quadratic(double rx, double ry, double rz, double 
     const double k = q.k1 * q.k1 + q.k2 * q.k2 + q.k3 * q.k3;
     q.as = q.a * q.s2;
     q.d = q.as - k;
-    q.d_error = 12 * u * (q.as + k) + 10 * u * (std::abs(q.k1) * q.e1 + std::abs(q.k2) * q.e2 + std::abs(q.k3) * q.e3) +
-                100 * u * u * (q.e1 * q.e1 + q.e2 * q.e2 + q.e3 * q.e3) + d_underflow;
+    // 10 u |k| e + 100 u^2 e^2 for each component.
+    const double crossed = (std::abs(q.k1) + 10 * u * q.e1) * q.e1 + (std::abs(q.k2) + 10 * u * q.e2) * q.e2 +
+                           (std::abs(q.k3) + 10 * u * q.e3) * q.e3;
+    q.d_error = 12 * u * (q.as + k) + 10 * u * crossed + d_underflow;
     return q;
 }
 
@@ -73,10 +75,11 @@ struct TimeEnclosure {
 /// Of the first root. \pre certainly_impact
 inline TimeEnclosure time_enclosure(const SphereQuadratic& q)
 {
-    const double s = std::sqrt(q.d > 0 ? q.d : 0), den = s - q.b, t = q.c / den;
-    const double ds = den * s;
-    const double relative = (q.c_error * ds + q.c * (q.b_error * s + q.d_error)) / (q.c * ds) + 16 * unit_roundoff;
-    const double width = t * relative;
+    // t = C / den and its relative error (c_error / C + (b_error s + d_error) / (den s)), with one division for both.
+    const double s = std::sqrt(q.d > 0 ? q.d : 0), den = s - q.b, ds = den * s;
+    const double inverse = 1 / (ds * den);
+    const double t = q.c * ds * inverse;
+    const double width = (q.c_error * ds + q.c * (q.b_error * s + q.d_error)) * inverse + t * (16 * unit_roundoff);
     return {t, t - width, t + 2 * width};
 }
 

@@ -10,6 +10,17 @@ inline double code_of(const SphereQuadratic& q)
     return is_moderate(q) ? code : 2.0;
 }
 
+/// Codes become statuses, 2 standing for touching as long as it is open. Is any of them?
+inline bool statuses(const BatchBlock& b, std::size_t count, const double* code)
+{
+    ImpactStatus* __restrict status = b.status;
+    for (std::size_t i = 0; i < count; ++i)
+        status[i] = static_cast<ImpactStatus>(static_cast<unsigned char>(static_cast<int>(code[i])));
+    unsigned char any = 0;
+    for (std::size_t i = 0; i < count; ++i) any |= static_cast<unsigned char>(status[i]);
+    return (any & 2) != 0;
+}
+
 // Arrays that overlap nothing: without this word compilers would have to look, and rather not vectorise.
 using In = const double* __restrict;
 using Out = double* __restrict;
@@ -38,25 +49,29 @@ inline void lower(std::size_t count, In rx, In ry, In rz, In vx, In vy, In vz, I
     }
 }
 
-inline void whole(const BatchBlock& b, std::size_t count)
+inline bool whole(const BatchBlock& b, std::size_t count)
 {
-    whole(count, b.rx, b.ry, b.rz, b.vx, b.vy, b.vz, b.s, b.code, b.t, b.t_lo, b.t_hi);
+    double code[batch_block];
+    whole(count, b.rx, b.ry, b.rz, b.vx, b.vy, b.vz, b.s, code, b.t, b.t_lo, b.t_hi);
+    return statuses(b, count, code);
 }
-inline void lower(const BatchBlock& b, std::size_t count)
+inline bool lower(const BatchBlock& b, std::size_t count)
 {
-    lower(count, b.rx, b.ry, b.rz, b.vx, b.vy, b.vz, b.s, b.code, b.t_lo);
+    double code[batch_block];
+    lower(count, b.rx, b.ry, b.rz, b.vx, b.vy, b.vz, b.s, code, b.t_lo);
+    return statuses(b, count, code);
 }
 
 // The same operations in the same order on wider registers: the same bits. No fma, contraction is off.
 #if defined(__x86_64__) && !defined(__AVX2__)
 #define CAROM_WIDER 1
-[[gnu::target("avx2"), gnu::flatten]] void whole_wide(const BatchBlock& b, std::size_t count)
+[[gnu::target("avx2"), gnu::flatten]] bool whole_wide(const BatchBlock& b, std::size_t count)
 {
-    whole(b, count);
+    return whole(b, count);
 }
-[[gnu::target("avx2"), gnu::flatten]] void lower_wide(const BatchBlock& b, std::size_t count)
+[[gnu::target("avx2"), gnu::flatten]] bool lower_wide(const BatchBlock& b, std::size_t count)
 {
-    lower(b, count);
+    return lower(b, count);
 }
 bool has_wider()
 {
@@ -67,20 +82,20 @@ bool has_wider()
 
 }  // namespace
 
-void solve_block(const BatchBlock& block, std::size_t count)
+bool solve_block(const BatchBlock& block, std::size_t count)
 {
 #ifdef CAROM_WIDER
     if (has_wider()) return whole_wide(block, count);
 #endif
-    whole(block, count);
+    return whole(block, count);
 }
 
-void solve_block_lower(const BatchBlock& block, std::size_t count)
+bool solve_block_lower(const BatchBlock& block, std::size_t count)
 {
 #ifdef CAROM_WIDER
     if (has_wider()) return lower_wide(block, count);
 #endif
-    lower(block, count);
+    return lower(block, count);
 }
 
 }  // namespace carom

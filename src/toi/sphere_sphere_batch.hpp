@@ -4,21 +4,24 @@
 
 #include "toi/level_0.hpp"
 
+#include <carom/time_of_impact.hpp>
+
 #include <cstddef>
 
 namespace carom {
 
 inline constexpr std::size_t batch_block = 128;
 
-/// Inputs of one block, and what level 0 says: code 0 none, 1 impact, 2 for another level.
+/// Inputs of one block, and what level 0 says; the status is `touching` where it is for another level to say.
 struct BatchBlock {
     const double *rx, *ry, *rz, *vx, *vy, *vz, *s;
-    double *t, *t_lo, *t_hi;  ///< 0 unless code is 1
-    double* code;
+    double *t, *t_lo, *t_hi;  ///< 0 unless there is certainly an impact
+    ImpactStatus* status;
 };
 
-/// The whole interval, or the lower end alone (t and t_hi may be null).
-void solve_block(const BatchBlock& block, std::size_t count);
-void solve_block_lower(const BatchBlock& block, std::size_t count);
+/// The whole interval, or the lower end alone (t and t_hi may be null). Is anything left to another level?
+/// \pre count <= batch_block
+bool solve_block(const BatchBlock& block, std::size_t count);
+bool solve_block_lower(const BatchBlock& block, std::size_t count);
 
 }  // namespace carom

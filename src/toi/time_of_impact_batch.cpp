@@ -38,17 +38,22 @@ void expect_same_lengths(const RelativeMotions& p, const ImpactTimes& out, bool 
 template <class Solve, class Settle>
 void in_blocks(const RelativeMotions& p, const ImpactTimes& out, Solve&& solve, Settle&& settle)
 {
-    double code[batch_block];
     for (std::size_t first = 0; first < p.rx.size(); first += batch_block) {
         const std::size_t count = std::min(batch_block, p.rx.size() - first);
-        solve(BatchBlock{&p.rx[first], &p.ry[first], &p.rz[first], &p.vx[first], &p.vy[first], &p.vz[first],
-                         &p.contact_distance[first], out.t.empty() ? nullptr : &out.t[first], &out.t_lo[first],
-                         out.t_hi.empty() ? nullptr : &out.t_hi[first], code},
-              count);
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t i = first + k;
-            out.status[i] = code[k] == 1 ? ImpactStatus::impact : ImpactStatus::none;
-            if (code[k] != 2) continue;
+        const BatchBlock block{&p.rx[first],
+                               &p.ry[first],
+                               &p.rz[first],
+                               &p.vx[first],
+                               &p.vy[first],
+                               &p.vz[first],
+                               &p.contact_distance[first],
+                               out.t.empty() ? nullptr : &out.t[first],
+                               &out.t_lo[first],
+                               out.t_hi.empty() ? nullptr : &out.t_hi[first],
+                               &out.status[first]};
+        if (!solve(block, count)) continue;
+        for (std::size_t i = first; i < first + count; ++i) {
+            if (out.status[i] != ImpactStatus::touching) continue;
             const ImpactTime time =
                 slow_time_of_impact({p.rx[i], p.ry[i], p.rz[i]}, {p.vx[i], p.vy[i], p.vz[i]}, p.contact_distance[i]);
             out.status[i] = time.status;

@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <functional>
 #include <limits>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,24 @@ using carom::test::Float200;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t count = 4096;  // stays in the cache: arithmetic is timed, not memory
 
+/// Arrays that begin on a cache line, for the widest registers.
+template <class T>
+struct Aligned {
+    using value_type = T;
+    Aligned() = default;
+    template <class U>
+    Aligned(const Aligned<U>&)
+    {
+    }
+    static constexpr std::align_val_t line{64};
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
+    bool operator==(const Aligned&) const { return true; }
+};
+using Array = std::vector<double, Aligned<double>>;
+
 struct Pairs {
-    std::vector<double> rx, ry, rz, vx, vy, vz, s;
+    Array rx, ry, rz, vx, vy, vz, s;
     std::vector<Float200> exact;  ///< < 0: a miss
 
     RelativeMotions view() const { return {rx, ry, rz, vx, vy, vz, s}; }
@@ -169,7 +186,7 @@ struct Row {
     std::string name;
     std::size_t queries;
     std::function<void()> run;
-    std::vector<double>* times;  ///< what it found, infinity for a miss
+    Array* times;  ///< what it found, infinity for a miss
 };
 
 double median_ns(const Row& row, int repeats)
@@ -197,7 +214,7 @@ int main(int argc, char** argv)
 {
     const int repeats = argc > 1 ? std::clamp(std::atoi(argv[1]), 1, 1000) : 5;
     const Pairs p = generic_pairs();
-    std::vector<double> t(count), lo(count), hi(count);
+    Array t(count), lo(count), hi(count);
     std::vector<ImpactStatus> status(count);
     const ImpactTimes out{status, t, lo, hi};
     const auto each = [&](std::size_t n, auto&& solve) {
