@@ -121,7 +121,7 @@ TEST_CASE("batches of any length are answered, none written beyond its end, and 
         ImpactTimes out = times.view();
         out = {out.status.first(n), out.t.first(n), out.t_lo.first(n), out.t_hi.first(n)};
         time_of_impact_batch(pairs.view(), out);
-        for (std::size_t i = 0; i < n; ++i) CHECK(times.t[i] == 3.0 + static_cast<double>(i));
+        for (std::size_t i = 0; i < n; ++i) CHECK(times.t[i] == Approx(3.0 + static_cast<double>(i)).epsilon(1e-15));
         CHECK(times.t[n] == -1);
         CHECK(times.t_lo[n] == -1);
         CHECK(times.t_hi[n] == -1);
