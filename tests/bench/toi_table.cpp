@@ -14,10 +14,10 @@
 #include <fcl/fcl.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <limits>
 #include <new>
@@ -189,23 +189,32 @@ struct Row {
     Array* times;  ///< what it found, infinity for a miss
 };
 
-double median_ns(const Row& row, int repeats)
+/// Seconds that this thread computed: others on the machine do not count, as far as that goes.
+double cpu_seconds()
 {
-    std::vector<double> all;
-    for (int k = 0; k < repeats; ++k) {
-        // Long enough for the clock.
-        int rounds = 0;
-        const auto start = std::chrono::steady_clock::now();
-        double seconds = 0;
-        do {
-            row.run();
-            ++rounds;
-            seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        } while (seconds < 0.02);
-        all.push_back(1e9 * seconds / rounds / static_cast<double>(row.queries));
-    }
-    std::nth_element(all.begin(), all.begin() + repeats / 2, all.end());
-    return all[static_cast<std::size_t>(repeats / 2)];
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// [ns/query]; long enough for the clock.
+double time_once(const Row& row)
+{
+    int rounds = 0;
+    const double start = cpu_seconds();
+    double seconds = 0;
+    do {
+        row.run();
+        ++rounds;
+        seconds = cpu_seconds() - start;
+    } while (seconds < 0.01);
+    return 1e9 * seconds / rounds / static_cast<double>(row.queries);
+}
+
+double median(std::vector<double> x)
+{
+    std::nth_element(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2), x.end());
+    return x[x.size() / 2];
 }
 
 }  // namespace
@@ -277,10 +286,19 @@ int main(int argc, char** argv)
     };
     std::printf("%-40s %10s %8s %12s %12s %8s\n", "4096 generic pairs, half of them hits", "ns/query", "ratio",
                 "median ulp", "max ulp", "wrong");
-    double base = 0;
-    for (const Row& row : rows) {
-        const double ns = median_ns(row, repeats);
-        if (row.name.find("textbook") != std::string::npos) base = ns;
+    // Pass by pass over all rows, so that a busy moment hits them alike.
+    std::vector<std::vector<double>> ns(rows.size()), ratio(rows.size());
+    for (int pass = 0; pass < repeats; ++pass) {
+        double base = 0;
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            ns[k].push_back(time_once(rows[k]));
+            if (rows[k].name.find("textbook") != std::string::npos) base = ns[k].back();
+            ratio[k].push_back(ns[k].back() / base);
+        }
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const Row& row = rows[k];
+        row.run();
         std::vector<double> errors;
         int wrong = 0;
         for (std::size_t i = 0; i < row.queries; ++i) {
@@ -291,7 +309,7 @@ int main(int argc, char** argv)
             if (hit && p.exact[i] >= 0) errors.push_back(test::ulps(found, p.exact[i]));
         }
         std::sort(errors.begin(), errors.end());
-        std::printf("%-40s %10.2f %8.2f %12.3g %12.3g %8d\n", row.name.c_str(), ns, ns / base,
+        std::printf("%-40s %10.2f %8.2f %12.3g %12.3g %8d\n", row.name.c_str(), median(ns[k]), median(ratio[k]),
                     errors.empty() ? 0 : errors[errors.size() / 2], errors.empty() ? 0 : errors.back(), wrong);
     }
     return 0;
