@@ -182,7 +182,8 @@ void define_toi(CLI::App& app)
         "2}}' | carom "
         "toi\n"
         "  "
-        "{\"status\":\"impact\",\"t\":3.5,\"lo\":3.5,\"hi\":3.5,\"normal\":[-1,0,0],\"approach_speed\":2,\"level\":0}\n"
+        "{\"status\":\"impact\",\"t\":3.5,\"lo\":3.4999999999999996,\"hi\":3.5000000000000004,\"normal\":[-1,0,0],"
+        "\"approach_speed\":2,\"level\":0}\n"
         "Exit: 0 when stdin ends.");
 }
 
