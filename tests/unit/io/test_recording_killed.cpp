@@ -11,6 +11,22 @@
 using namespace carom;
 using namespace carom::test;
 
+namespace {
+
+/// Returns at the latest after half a minute.
+void wait_for_size(const std::filesystem::path& file, std::uintmax_t size)
+{
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    std::error_code none;
+    while (std::chrono::steady_clock::now() < limit) {
+        const std::uintmax_t now = std::filesystem::file_size(file, none);
+        if (!none && now >= size) return;
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+}
+
+}  // namespace
+
 TEST_CASE("a recording process that is killed leaves what verifies up to its last chunk", "[recording]")
 {
     const RecordingFolder folder;
@@ -25,7 +41,9 @@ TEST_CASE("a recording process that is killed leaves what verifies up to its las
             record_to(file, gas(5, 100, 1e9, {0, 0, -1}));
             ::_exit(0);
         }
-        std::this_thread::sleep_for(std::chrono::microseconds(static_cast<int>(random.uniform(1000, 400000))));
+        // A random moment in the growth of the file, and a little later: how fast the machine is plays no part.
+        wait_for_size(file, static_cast<std::uintmax_t>(random.uniform(0, 400e3)));
+        std::this_thread::sleep_for(std::chrono::microseconds(static_cast<int>(random.uniform(0, 20000))));
         ::kill(child, SIGKILL);
         int status = 0;
         REQUIRE(::waitpid(child, &status, 0) == child);
