@@ -18,6 +18,7 @@
 #include <carom/types.hpp>
 
 #include <cstdint>
+#include <span>
 
 namespace carom {
 
@@ -41,14 +42,14 @@ enum class ImpactStatus : std::uint8_t {
 /// touching and separating, is answered with its next impact, never with the last one.
 struct TimeOfImpact {
     ImpactStatus status = ImpactStatus::none;
-    double t = 0;                ///< >= 0; 0 if touching or none; within 1 ulp of the exact time [time]
-    double t_lo = 0, t_hi = 0;   ///< t_lo <= exact time <= t_hi [time]
+    double t = 0;               ///< >= 0; 0 if touching or none; within 1 ulp of the exact time [time]
+    double t_lo = 0, t_hi = 0;  ///< t_lo <= exact time <= t_hi [time]
     /// At t, unit, from b (the plane) to a; zero if none. Its last digits go where spheres far apart meet: its error is
     /// about 2^-104 of their distance over the contact distance, where that is more than rounding.
     Vec3 normal = Vec3::Zero();
-    Vec3 point = Vec3::Zero();   ///< of contact at t, on the surface of b (the plane) [length]
-    double approach_speed = 0;   ///< at t, -(d gap / dt) >= 0 [length/time]
-    int level = 0;               ///< arithmetic that decided the status: 0 double, 1 double-double, 2 exact
+    Vec3 point = Vec3::Zero();  ///< of contact at t, on the surface of b (the plane) [length]
+    double approach_speed = 0;  ///< at t, -(d gap / dt) >= 0 [length/time]
+    int level = 0;              ///< arithmetic that decided the status: 0 double, 1 double-double, 2 exact
 
     explicit operator bool() const { return status != ImpactStatus::none; }
 };
@@ -62,5 +63,36 @@ TimeOfImpact time_of_impact(const MovingSphere& a, const MovingSphere& b);
 /// \pre every number is finite and of magnitude at most 2^1000, the radius >= 0, the normal of unit length to rounding,
 /// a thickness >= 0.
 TimeOfImpact time_of_impact(const MovingSphere& sphere, const Plane& plane);
+
+/// A time and an interval that contains the exact one; t itself within some 34 ulp, less exact where a gap is almost
+/// closed.
+struct ImpactTime {
+    ImpactStatus status = ImpactStatus::none;
+    double t = 0, t_lo = 0, t_hi = 0;  ///< 0 if touching or none [time]
+};
+
+/// Of spheres in uniform relative motion, as quickly as certainty goes: some 20 ns.
+/// \param r position of one relative to the other [length] \param v relative velocity [length/time]
+/// \param contact_distance sum of the radii, > 0 [length]
+ImpactTime quick_time_of_impact(const Vec3& r, const Vec3& v, double contact_distance);
+
+/// Many pairs, each number in an array of its own. All arrays are of one length.
+struct RelativeMotions {
+    std::span<const double> rx, ry, rz;        ///< [length]
+    std::span<const double> vx, vy, vz;        ///< [length/time]
+    std::span<const double> contact_distance;  ///< > 0 [length]
+};
+struct ImpactTimes {
+    std::span<ImpactStatus> status;
+    std::span<double> t, t_lo, t_hi;
+};
+
+/// The same as `quick_time_of_impact` of each pair, to the last bit, on every machine; some 3 ns a pair.
+/// \throws InputError if an array has another length
+void time_of_impact_batch(const RelativeMotions& pairs, const ImpactTimes& out);
+
+/// Only statuses and lower bounds, for the keys of a queue; `t` and `t_hi` stay as they are. Some of the bounds lie a
+/// few ulp lower or higher than those of the other form.
+void lower_bound_batch(const RelativeMotions& pairs, const ImpactTimes& out);
 
 }  // namespace carom

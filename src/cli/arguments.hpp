@@ -73,7 +73,7 @@ struct ScenesArguments {
     std::vector<std::string> validate;  ///< scenes to validate; empty: the catalogue
 };
 
-enum class Command { run, compare, check, explain, stress, verify, report, scenes };
+enum class Command { run, compare, check, explain, stress, verify, report, scenes, toi };
 
 struct Arguments {
     GlobalArguments global;

@@ -38,6 +38,8 @@ int dispatch(const Arguments& arguments, const Console& console)
             return do_report(arguments.report, arguments.global, console);
         case Command::scenes:
             return do_scenes(arguments.scenes, arguments.global, console);
+        case Command::toi:
+            return do_toi(console);
     }
     return exit_usage;
 }

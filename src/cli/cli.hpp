@@ -21,6 +21,7 @@ int do_stress(const StressArguments& args, const GlobalArguments& global, const 
 int do_verify(const VerifyArguments& args, const GlobalArguments& global, const Console& console);
 int do_report(const ReportArguments& args, const GlobalArguments& global, const Console& console);
 int do_scenes(const ScenesArguments& args, const GlobalArguments& global, const Console& console);
+int do_toi(const Console& console);
 
 /// Folder of the catalogue: the environment's CAROM_SCENES, else that of the build.
 std::filesystem::path scene_folder();

@@ -9,7 +9,6 @@ namespace carom::cli {
 namespace {
 
 constexpr std::array<std::string_view, 4> later_commands{"tunnel", "view", "export", "query"};
-constexpr std::string_view query_service = "toi";
 constexpr std::array<std::string_view, 4> later_options{"--impact", "--guard", "--save-state", "--equilibrate"};
 
 template <typename List>
@@ -38,7 +37,7 @@ std::optional<std::string> later_feature(const std::vector<std::string>& args)
             words.push_back(arg);
     }
     if (words.empty()) return std::nullopt;
-    if (contains(later_commands, words[0]) || words[0] == query_service) return refusal(words[0]);
+    if (contains(later_commands, words[0])) return refusal(words[0]);
     return std::nullopt;
 }
 

@@ -174,6 +174,25 @@ void define_report(CLI::App& app, ReportArguments& report)
         "Exit: 0 written, 2 usage, 3 a folder is none of compare's or the page cannot be written.");
 }
 
+void define_toi(CLI::App& app)
+{
+    app.footer(
+        "Reads queries from stdin, one JSON object a line, and answers each with one on stdout. Accelerations are 0 "
+        "and\n"
+        "\"until\" is infinite unless given; a plane {\"n\", \"offset\", \"thickness\"} may stand in place of b. The "
+        "exact\n"
+        "time lies in [lo, hi], t within 1 ulp of it; level: 0 double, 1 double-double, 2 exact. A line that is no "
+        "query\n"
+        "is answered with {\"status\": \"error\", \"message\": ..} and the next one is served.\n"
+        "Example:\n"
+        "  echo '{\"a\": {\"p\": [0,0,0], \"v\": [1,0,0], \"r\": 1}, \"b\": {\"p\": [10,0,0], \"v\": [-1,0,0], \"r\": "
+        "2}}' | carom "
+        "toi\n"
+        "  "
+        "{\"status\":\"impact\",\"t\":3.5,\"lo\":3.5,\"hi\":3.5,\"normal\":[-1,0,0],\"approach_speed\":2,\"level\":0}\n"
+        "Exit: 0 when stdin ends.");
+}
+
 void define_global(CLI::App& app, GlobalArguments& global)
 {
     app.set_version_flag("--version", std::string("carom ") + CAROM_VERSION);
@@ -223,10 +242,13 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     CLI::App* scenes = app.add_subcommand("scenes", "The catalogue of scenes");
     define_scenes(*scenes, arguments.scenes);
 
+    CLI::App* toi = app.add_subcommand("toi", "Times of impact as a service: one line asks, one answers");
+    define_toi(*toi);
+
     const auto global_help = [](CLI::App* command) {
         command->footer(command->get_footer() + "\nEverywhere: --json, -q, -v, --no-progress, --seed N (see carom -h)");
     };
-    for (CLI::App* command : {run, compare, check, explain, stress, verify, report, scenes}) global_help(command);
+    for (CLI::App* command : {run, compare, check, explain, stress, verify, report, scenes, toi}) global_help(command);
 
     try {
         app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them last first
@@ -244,6 +266,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
                         : stress->parsed()  ? Command::stress
                         : verify->parsed()  ? Command::verify
                         : report->parsed()  ? Command::report
+                        : toi->parsed()     ? Command::toi
                                             : Command::scenes;
     result.arguments = std::move(arguments);
     return result;

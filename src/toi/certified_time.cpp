@@ -71,9 +71,14 @@ bool is_zero(const DoubleDouble3& a)
 CertifiedTime certified_time(const ExactMotion& m)
 {
     if (!is_zero(m.a)) return as_time(enclose_accelerated(m));
-    const Enclosure<double> quick = enclose(heads(m.r), heads(m.v), m.contact_distance.high);
+    return certified_time(m.r, m.v, m.contact_distance);
+}
+
+CertifiedTime certified_time(const DoubleDouble3& r, const DoubleDouble3& v, DoubleDouble contact_distance)
+{
+    const Enclosure<double> quick = enclose(heads(r), heads(v), contact_distance.high);
     if (quick.decided == Decision::none) return as_time(quick);
-    CertifiedTime out = as_time(enclose(m.r, m.v, m.contact_distance));
+    CertifiedTime out = as_time(enclose(r, v, contact_distance));
     if (is_decided(quick)) out.level = 0;
     return out;
 }

@@ -23,6 +23,9 @@ struct ExactMotion;
 
 CertifiedTime certified_time(const ExactMotion& motion);
 
+/// Of spheres in uniform relative motion, given exactly.
+CertifiedTime certified_time(const DoubleDouble3& r, const DoubleDouble3& v, DoubleDouble contact_distance);
+
 struct ScenePlane;
 CertifiedTime certified_time(const ScenePlane& plane);
 

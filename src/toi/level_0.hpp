@@ -15,7 +15,7 @@ namespace carom {
 struct SphereQuadratic {
     double b, c, d;
     double b_error, c_error, d_error;
-    double s2, as;  ///< S^2, A S^2
+    double a, r2, s2, as;  ///< v.v, r.r, S^2, A S^2
     double e1, e2, e3, k1, k2, k3;
 };
 
@@ -30,10 +30,11 @@ inline SphereQuadratic sphere_quadratic(double rx, double ry, double rz, double 
     q.b = p1 + p2 + p3;
     q.b_error = 8 * u * (std::abs(p1) + std::abs(p2) + std::abs(p3)) + b_underflow;
 
-    const double a = vx * vx + vy * vy + vz * vz, r2 = rx * rx + ry * ry + rz * rz;
+    q.a = vx * vx + vy * vy + vz * vz;
+    q.r2 = rx * rx + ry * ry + rz * rz;
     q.s2 = s * s;
-    q.c = r2 - q.s2;
-    q.c_error = 8 * u * (r2 + q.s2);
+    q.c = q.r2 - q.s2;
+    q.c_error = 8 * u * (q.r2 + q.s2);
 
     const double q1 = ry * vz, q2 = rz * vy, q3 = rz * vx, q4 = rx * vz, q5 = rx * vy, q6 = ry * vx;
     q.k1 = q1 - q2;
@@ -43,23 +44,27 @@ inline SphereQuadratic sphere_quadratic(double rx, double ry, double rz, double 
     q.e2 = std::abs(q3) + std::abs(q4);
     q.e3 = std::abs(q5) + std::abs(q6);
     const double k = q.k1 * q.k1 + q.k2 * q.k2 + q.k3 * q.k3;
-    q.as = a * q.s2;
+    q.as = q.a * q.s2;
     q.d = q.as - k;
-    q.d_error = 12 * u * (q.as + k) + 10 * u * (std::abs(q.k1) * q.e1 + std::abs(q.k2) * q.e2 + std::abs(q.k3) * q.e3) +
-                100 * u * u * (q.e1 * q.e1 + q.e2 * q.e2 + q.e3 * q.e3) + d_underflow;
+    // 10 u |k| e + 100 u^2 e^2 for each component.
+    const double crossed = (std::abs(q.k1) + 10 * u * q.e1) * q.e1 + (std::abs(q.k2) + 10 * u * q.e2) * q.e2 +
+                           (std::abs(q.k3) + 10 * u * q.e3) * q.e3;
+    q.d_error = 12 * u * (q.as + k) + 10 * u * crossed + d_underflow;
     return q;
 }
+
+// & and |, not && and ||: without branches a loop over these vectorises.
 
 /// Certainly separating or certainly passing.
 inline bool certainly_none(const SphereQuadratic& q)
 {
-    return q.b > q.b_error || q.d < -q.d_error;
+    return (q.b > q.b_error) | (q.d < -q.d_error);
 }
 
 /// Certainly an impact later than now, and the enclosure holds.
 inline bool certainly_impact(const SphereQuadratic& q)
 {
-    return q.b < -4 * q.b_error && q.d > 4 * q.d_error && q.c > 4 * q.c_error;
+    return (q.b < -4 * q.b_error) & (q.d > 4 * q.d_error) & (q.c > 4 * q.c_error);
 }
 
 /// A time and the ends of an interval that contains the exact one.
@@ -70,11 +75,27 @@ struct TimeEnclosure {
 /// Of the first root. \pre certainly_impact
 inline TimeEnclosure time_enclosure(const SphereQuadratic& q)
 {
-    const double s = std::sqrt(q.d > 0 ? q.d : 0), den = s - q.b, t = q.c / den;
-    const double ds = den * s;
-    const double relative = (q.c_error * ds + q.c * (q.b_error * s + q.d_error)) / (q.c * ds) + 16 * unit_roundoff;
-    const double width = t * relative;
+    // t = C / den and its relative error (c_error / C + (b_error s + d_error) / (den s)), with one division for both.
+    const double s = std::sqrt(q.d > 0 ? q.d : 0), den = s - q.b, ds = den * s;
+    const double inverse = 1 / (ds * den);
+    const double t = q.c * ds * inverse;
+    const double width = (q.c_error * ds + q.c * (q.b_error * s + q.d_error)) * inverse + t * (16 * unit_roundoff);
     return {t, t - width, t + 2 * width};
+}
+
+/// The lower end alone, one division less. \pre certainly_impact
+inline double time_lower_bound(const SphereQuadratic& q)
+{
+    const double s = std::sqrt(q.d > 0 ? q.d + q.d_error : 0);
+    return (q.c - q.c_error) / (s + (q.b_error - q.b)) * (1 - 16 * unit_roundoff);
+}
+
+/// Neither squares nor products of this query leave the range in which the bounds hold. Implies that the largest
+/// components are moderate (scaling.hpp).
+inline bool is_moderate(const SphereQuadratic& q)
+{
+    constexpr double low = 0x1p-190, high = 0x1p190;
+    return (q.r2 + q.s2 > low) & (q.r2 + q.s2 < high) & (q.a > low) & (q.a < high);
 }
 
 }  // namespace carom

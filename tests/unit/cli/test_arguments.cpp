@@ -150,8 +150,8 @@ TEST_CASE("what belongs to later versions is refused and not in the help", "[arg
 {
     std::string help = parse_arguments({"-h"}).out;
     for (const char* command : {"run", "compare", "stress", "scenes"}) help += parse_arguments({command, "-h"}).out;
-    for (const char* word : {"tunnel", "verify", "view", "export", "query", "toi", "--impact", "--guard",
-                             "--save-state", "--equilibrate", "moreau", "penalty"}) {
+    for (const char* word : {"tunnel", "view", "export", "query", "--impact", "--guard", "--save-state",
+                             "--equilibrate", "moreau", "penalty"}) {
         CAPTURE(word);
         CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
         const bool option = word[0] == '-';

@@ -251,3 +251,33 @@ TEST_CASE("What is out of range has no impact and is no number that spreads", "[
     CHECK_FALSE(time_of_impact(sphere_at({1e300, 0, 0}, {-1e-300, 0, 0}), b));  // later than any double
     CHECK(time_of_impact(sphere_at({1e300, 0, 0}, {-1e290, 0, 0}, 1e291), b).t == Approx(1e10 - 10).epsilon(1e-15));
 }
+
+TEST_CASE("Under different accelerations a graze by exactly nothing is no impact, one by the last digit is one",
+          "[toi][public]")
+{
+    // The gap along the line of centres is 1 - 2 t + t^2: it closes at t = 1 and opens again.
+    const MovingSphere b = sphere_at({0, 0, 0}, {0, 0, 0}, 2);
+    MovingSphere a = sphere_at({0, 0, 4}, {0, 0, -2}, 1);
+    a.acceleration = {0, 0, 2};
+    CHECK_FALSE(time_of_impact(a, b));
+    a.velocity.z() = std::nextafter(-2.0, -3.0);
+    const TimeOfImpact hit = time_of_impact(a, b);
+    CHECK(hit.status == ImpactStatus::impact);
+    CHECK(hit.t == Approx(1).epsilon(1e-7));
+    CHECK(hit.t < 1);
+    a.velocity.z() = std::nextafter(-2.0, 0.0);
+    CHECK_FALSE(time_of_impact(a, b));
+
+    // From inside: -1 + 2 t - t^2 turns at t = 1, exactly at contact or before it; only then it closes.
+    MovingSphere inside = sphere_at({0, 0, 2}, {0, 0, 2}, 1);
+    inside.acceleration = {0, 0, -2};
+    for (const double speed : {2.0, std::nextafter(2.0, 0.0)}) {
+        inside.velocity.z() = speed;
+        const TimeOfImpact turn = time_of_impact(inside, b);
+        CHECK(turn.status == ImpactStatus::impact);
+        CHECK(turn.t == speed / 2);
+        CHECK(turn.approach_speed < 1e-15);
+    }
+    inside.velocity.z() = std::nextafter(2.0, 3.0);  // gets out, and comes back
+    CHECK(time_of_impact(inside, b).t > 1);
+}

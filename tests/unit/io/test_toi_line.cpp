@@ -1,0 +1,115 @@
+#include "io/toi_line.hpp"
+
+#include <carom/time_of_impact.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+using namespace carom;
+using carom::io::answer_toi_line;
+using nlohmann::json;
+
+namespace {
+
+json ask(const std::string& line)
+{
+    return json::parse(answer_toi_line(line));
+}
+
+}  // namespace
+
+TEST_CASE("a query of two spheres is answered with time, interval, normal, speed and level", "[toi_line]")
+{
+    const json answer =
+        ask(R"({"a": {"p": [0,0,0], "v": [1,0,0], "r": 1}, "b": {"p": [10,0,0], "v": [-1,0,0], "r": 2}})");
+    CHECK(answer.at("status") == "impact");
+    CHECK(answer.at("t") == 3.5);
+    CHECK(answer.at("lo") <= 3.5);
+    CHECK(answer.at("hi") >= 3.5);
+    CHECK(answer.at("normal") == json({-1, 0, 0}));
+    CHECK(answer.at("approach_speed") == 2);
+    CHECK(answer.at("level") == 0);
+    CHECK(answer.size() == 7);
+}
+
+TEST_CASE("a query over a plane takes accelerations, a thickness and a normal of any length", "[toi_line]")
+{
+    const json fall =
+        ask(R"({"a": {"p": [0,0,5], "v": [0,0,0], "acc": [0,0,-2], "r": 1}, "plane": {"n": [0,0,3], "offset": 0}})");
+    CHECK(fall.at("status") == "impact");
+    CHECK(fall.at("t") == 2);
+    CHECK(fall.at("approach_speed") == 4);
+    const json plate =
+        ask(R"({"a": {"p": [0,0,-5], "v": [0,0,1], "r": 1}, "plane": {"n": [0,0,1], "offset": 1, "thickness": 0.5}})");
+    CHECK(plate.at("t") == 4.75);
+    CHECK(plate.at("normal") == json({0, 0, -1}));
+    const json rest =
+        ask(R"({"a": {"p": [0,0,1], "v": [0,0,0], "acc": [0,0,-2], "r": 1}, "plane": {"n": [0,0,1], "offset": 0}})");
+    CHECK(rest.at("status") == "touching");
+    CHECK(rest.at("t") == 0);
+}
+
+TEST_CASE("beyond `until` there is no impact", "[toi_line]")
+{
+    const std::string query =
+        R"({"a": {"p": [0,0,0], "v": [1,0,0], "r": 1}, "b": {"p": [10,0,0], "v": [-1,0,0], "r": 2}, "until": )";
+    CHECK(ask(query + "3.5}").at("status") == "impact");
+    const json none = ask(query + "3.4999}");
+    CHECK(none.at("status") == "none");
+    CHECK(none.at("t").is_null());
+    CHECK(ask(query + "0}").at("status") == "none");
+    CHECK(ask(query + "-1}").at("status") == "error");
+}
+
+TEST_CASE("numbers are read and written to the last bit", "[toi_line]")
+{
+    const json answer = ask(R"({"a": {"p": [0.1,0.2,0.3], "v": [1e-3,0.7,0.11], "r": 0.3},
+        "b": {"p": [0.30000000000000004,2.2,0.9], "v": [0,-0.13,0], "r": 0.6}})");
+    MovingSphere a, b;
+    a.position = {0.1, 0.2, 0.3};
+    a.velocity = {1e-3, 0.7, 0.11};
+    a.radius = 0.3;
+    b.position = {0.30000000000000004, 2.2, 0.9};
+    b.velocity = {0, -0.13, 0};
+    b.radius = 0.6;
+    const TimeOfImpact hit = time_of_impact(a, b);
+    REQUIRE(hit);
+    CHECK(answer.at("t").get<double>() == hit.t);
+    CHECK(answer.at("lo").get<double>() == hit.t_lo);
+    CHECK(answer.at("hi").get<double>() == hit.t_hi);
+    CHECK(answer.at("approach_speed").get<double>() == hit.approach_speed);
+    for (int k = 0; k < 3; ++k) CHECK(answer.at("normal")[k].get<double>() == hit.normal[k]);
+}
+
+TEST_CASE("a line that is no query is answered with what is wrong", "[toi_line]")
+{
+    const std::string a = R"("a": {"p": [0,0,0], "v": [1,0,0], "r": 1})",
+                      b = R"("b": {"p": [9,0,0], "v": [0,0,0], "r": 1})";
+    const auto message = [](const std::string& line) {
+        const json answer = ask(line);
+        CHECK(answer.at("status") == "error");
+        return answer.at("message").get<std::string>();
+    };
+    using Catch::Matchers::Contains;
+    CHECK(ask("{" + a + "," + b + "}").at("status") == "impact");
+    CHECK_THAT(message(""), Contains("JSON"));
+    CHECK_THAT(message("{" + a + "," + b), Contains("JSON"));
+    CHECK_THAT(message("\"\xff\xfe\""), Contains("JSON"));
+    CHECK_THAT(message("[1]"), Contains("object"));
+    CHECK_THAT(message("{" + a + "}"), Contains("either"));
+    CHECK_THAT(message("{" + b + "}"), Contains("\"a\" is missing"));
+    CHECK_THAT(message("{" + a + "," + b + R"(,"plane": {"n": [0,0,1], "offset": 0}})"), Contains("either"));
+    CHECK_THAT(message("{" + a + R"(,"b": {"p": [9,0], "v": [0,0,0], "r": 1}})"), Contains("b.p"));
+    CHECK_THAT(message("{" + a + R"(,"b": {"p": [9,0,"x"], "v": [0,0,0], "r": 1}})"), Contains("number"));
+    CHECK_THAT(message("{" + a + R"(,"b": {"p": [9,0,1e999], "v": [0,0,0], "r": 1}})"), Contains("1e999"));
+    CHECK_THAT(message("{" + a + R"(,"b": {"p": [9,0,1e305], "v": [0,0,0], "r": 1}})"), Contains("2^1000"));
+    CHECK_THAT(message("{" + a + R"(,"b": {"p": [9,0,0], "v": [0,0,0], "r": -1}})"), Contains("negative"));
+    CHECK_THAT(message("{" + a + R"(,"b": {"p": [9,0,0], "r": 1}})"), Contains("\"v\" is missing"));
+    CHECK_THAT(message("{" + a + R"(,"b": {"p": [9,0,0], "v": [0,0,0], "r": 1, "m": 1}})"), Contains("unknown key"));
+    CHECK_THAT(message("{" + a + R"(,"plane": {"n": [0,0,0], "offset": 0}})"), Contains("zero"));
+    CHECK_THAT(message("{" + a + "," + b + R"(,"until": "soon"})"), Contains("until"));
+    CHECK_THAT(message(std::string(100000, ' ')), Contains("longer"));
+    CHECK_THAT(message(std::string(60000, '[')), Contains("JSON"));
+}
