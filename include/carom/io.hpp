@@ -93,6 +93,7 @@ public:
 
     const RecordedRun& run() const override;
     bool next(Instant& instant) override;
+    void forget_starts() override;
 
     /// Words about the run: format, scene, method, number, until; from a finished one also status, message, time, ...
     const std::map<std::string, std::string>& meta() const;

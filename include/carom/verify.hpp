@@ -17,12 +17,16 @@
 namespace carom {
 
 struct RecordedSphere {
-    double radius = 0;             ///< > 0 [length]
-    double mass = 1;               ///< > 0 [mass]
-    Vec3 position = Vec3::Zero();  ///< at the start, origin left out [length]
-    Vec3 velocity = Vec3::Zero();  ///< at the start [length/time]
-    std::int32_t material = 0;     ///< index into RecordedRun::materials
+    double radius = 0;          ///< > 0 [length]
+    double mass = 1;            ///< > 0 [mass]
+    std::int32_t material = 0;  ///< index into RecordedRun::materials
     bool fixed = false;
+};
+
+/// Where a sphere was when the run began, origin left out.
+struct RecordedStart {
+    Vec3 position = Vec3::Zero();  ///< [length]
+    Vec3 velocity = Vec3::Zero();  ///< [length/time]
 };
 
 /// What a run says of its end.
@@ -40,6 +44,7 @@ struct RecordedRun {
     std::vector<ContactRule> contacts;  ///< in the order of the scene
     std::vector<Plane> planes;          ///< ids are not needed
     std::vector<RecordedSphere> spheres;
+    std::vector<RecordedStart> starts;  ///< by sphere; gone after FlightSource::forget_starts
     /// The run claims flights in double-double: gap >= min(0, initial gap) exactly. Otherwise gap >= -16 eps max(r1 +
     /// r2, distance flown) is what it promises.
     bool certified = false;
@@ -61,6 +66,8 @@ public:
     /// The next instant in the order of the run; valid until the next call. False at the end. May throw InputError: the
     /// file is damaged.
     virtual bool next(Instant& instant) = 0;
+    /// RecordedRun::starts will not be asked for any more: their memory may be given back.
+    virtual void forget_starts() {}
 };
 
 /// Time that bodies spent, all bodies added, by what could be certified of the flights of that time.

@@ -11,5 +11,7 @@ class App;
 namespace carom::cli {
 
 void define_scenes(CLI::App& app, ScenesArguments& scenes);
+void define_toi(CLI::App& app);
+void define_verify(CLI::App& app, VerifyArguments& verify);
 
 }  // namespace carom::cli

@@ -148,21 +148,6 @@ void define_stress(CLI::App& app, StressArguments& stress)
         "Exit: 0 event passes, 4 it fails a case, 2 usage, 130 interrupted.");
 }
 
-void define_verify(CLI::App& app, VerifyArguments& verify)
-{
-    app.add_option("run", verify.run, "Folder that run -o wrote, or the recording in it")->required()->type_name("RUN");
-    app.add_flag("--all-pairs", verify.all_pairs, "Examine all pairs without a grid: slow, another opinion");
-    app.footer(
-        "Examines every pair of bodies at every time of a recorded run, every impulse, and the energy and momentum of\n"
-        "every impact, with code that shares nothing with the engine. A recording that was cut off is examined up to\n"
-        "its last chunk.\n"
-        "Examples:\n"
-        "  carom run gas_1000 -o out/gas\n"
-        "  carom verify out/gas\n"
-        "  carom verify out/gas/run.carom --json\n"
-        "Exit: 0 the run holds, 3 no recording or a damaged one, 4 it does not hold, 130 interrupted.");
-}
-
 void define_report(CLI::App& app, ReportArguments& report)
 {
     app.add_option("folders", report.folders, "Folders that compare wrote")->required()->type_name("DIR...");
@@ -172,25 +157,6 @@ void define_report(CLI::App& app, ReportArguments& report)
         "Examples:\n"
         "  carom report out/compare-bouncing_ball out/compare-bullet -o out/all.html\n"
         "Exit: 0 written, 2 usage, 3 a folder is none of compare's or the page cannot be written.");
-}
-
-void define_toi(CLI::App& app)
-{
-    app.footer(
-        "Reads queries from stdin, one JSON object a line, and answers each with one on stdout. Accelerations are 0 "
-        "and\n"
-        "\"until\" is infinite unless given; a plane {\"n\", \"offset\", \"thickness\"} may stand in place of b. The "
-        "exact\n"
-        "time lies in [lo, hi], t within 1 ulp of it; level: 0 double, 1 double-double, 2 exact. A line that is no "
-        "query\n"
-        "is answered with {\"status\": \"error\", \"message\": ..} and the next one is served.\n"
-        "Example:\n"
-        "  echo '{\"a\": {\"p\": [0,0,0], \"v\": [1,0,0], \"r\": 1}, \"b\": {\"p\": [10,0,0], \"v\": [-1,0,0], \"r\": "
-        "2}}' | carom "
-        "toi\n"
-        "  "
-        "{\"status\":\"impact\",\"t\":3.5,\"lo\":3.5,\"hi\":3.5,\"normal\":[-1,0,0],\"approach_speed\":2,\"level\":0}\n"
-        "Exit: 0 when stdin ends.");
 }
 
 void define_global(CLI::App& app, GlobalArguments& global)

@@ -28,12 +28,6 @@ bool closing_contact(const State& state, const Flight& a, BodyId id, int plane)
 
 }  // namespace
 
-Instant::Instant(const State& state, const Key& contact)
-    : state_(state), time_(contact.time), exact_(state.certified() && is_certifiable_contact(contact.a, contact.b))
-{
-    if (exact_) wait_ = wait(contact.a, contact.b);
-}
-
 bool Instant::is_certifiable_contact(BodyId body, BodyId other) const
 {
     return state_.is_plane(other) ? flies_freely(state_.flight(body)) : is_certifiable(state_, body, other);
@@ -41,16 +35,17 @@ bool Instant::is_certifiable_contact(BodyId body, BodyId other) const
 
 Enclosure<DoubleDouble> Instant::wait(BodyId body, BodyId other) const
 {
-    const Flown a = flown(state_, body, time_);
+    const Flown a = flown(state_, body, contact_.time);
     return state_.is_plane(other) ? plane_wait(state_, a, body, state_.plane_index(other))
-                                  : pair_wait(state_, a, body, flown(state_, other, time_), other);
+                                  : pair_wait(state_, a, body, flown(state_, other, contact_.time), other);
 }
 
 bool Instant::is_that_of(BodyId body, BodyId other) const
 {
-    if (!exact_ || !is_certifiable_contact(body, other)) return true;
-    const Enclosure<DoubleDouble> its = wait(body, other);
-    return !(its.t_hi < wait_.t_lo) && !(wait_.t_hi < its.t_lo);
+    if (!state_.certified() || !is_certifiable_contact(body, other) || !is_certifiable_contact(contact_.a, contact_.b))
+        return true;
+    const Enclosure<DoubleDouble> own = wait(contact_.a, contact_.b), its = wait(body, other);
+    return !(its.t_hi < own.t_lo) && !(own.t_hi < its.t_lo);
 }
 
 BodyId other_closing(const State& state, const Instant& instant, const Flight& now, BodyId body, BodyId partner,

@@ -12,17 +12,16 @@ namespace carom {
 /// what closes at the same time, so far as double-double can tell.
 class Instant {
 public:
-    Instant(const State& state, const Key& contact);
+    Instant(const State& state, const Key& contact) : state_(state), contact_(contact) {}
     bool is_that_of(BodyId body, BodyId other) const;
 
 private:
     bool is_certifiable_contact(BodyId body, BodyId other) const;
+    /// From the moment of the event to the contact itself.
     Enclosure<DoubleDouble> wait(BodyId body, BodyId other) const;
 
     const State& state_;
-    EpochTime time_;
-    bool exact_;
-    Enclosure<DoubleDouble> wait_;  ///< from time_ to the contact itself
+    const Key& contact_;
 };
 
 /// Another contact of `body` that is closed and closing at this very instant, next to the one with `partner`; no_body

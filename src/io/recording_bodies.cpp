@@ -105,12 +105,12 @@ void read_integers(ColumnReader& in, Items& items, const Set& set)
     for (std::size_t i = 0; i < items.size(); ++i) set(items[i], column[i]);
 }
 
-void read_spheres(ColumnReader& in, std::vector<RecordedSphere>& spheres)
+void read_spheres(ColumnReader& in, std::vector<RecordedSphere>& spheres, std::vector<RecordedStart>& starts)
 {
     read_column(in, spheres, [](RecordedSphere& s, double x) { s.radius = x; });
     read_column(in, spheres, [](RecordedSphere& s, double x) { s.mass = x; });
-    for (int k = 0; k < 3; ++k) read_column(in, spheres, [k](RecordedSphere& s, double x) { s.position[k] = x; });
-    for (int k = 0; k < 3; ++k) read_column(in, spheres, [k](RecordedSphere& s, double x) { s.velocity[k] = x; });
+    for (int k = 0; k < 3; ++k) read_column(in, starts, [k](RecordedStart& s, double x) { s.position[k] = x; });
+    for (int k = 0; k < 3; ++k) read_column(in, starts, [k](RecordedStart& s, double x) { s.velocity[k] = x; });
     read_integers<std::int32_t>(in, spheres, [](RecordedSphere& s, std::int32_t m) { s.material = m; });
     read_integers<std::uint8_t>(in, spheres, [](RecordedSphere& s, std::uint8_t f) { s.fixed = f != 0; });
 }
@@ -144,7 +144,7 @@ bool fraction(double x)
 
 bool sound(const RecordedSphere& s)
 {
-    return positive(s.radius) && positive(s.mass) && s.position.allFinite() && s.velocity.allFinite();
+    return positive(s.radius) && positive(s.mass);
 }
 
 bool sound(const Plane& p)
@@ -187,7 +187,8 @@ void read_bodies_row(RecordedRun& run, const BodiesRow& row, const std::string& 
     ColumnReader in(row.data, n, file);
     if (row.kind == "spheres") {
         run.spheres.resize(n);
-        read_spheres(in, run.spheres);
+        run.starts.resize(n);
+        read_spheres(in, run.spheres, run.starts);
     } else if (row.kind == "planes") {
         run.planes.resize(n);
         read_planes(in, run.planes);
@@ -213,6 +214,8 @@ void check_bodies(const RecordedRun& run, const std::string& file)
         if (!holds) throw InputError({file + ": damaged: " + what});
     };
     for (const RecordedSphere& s : run.spheres) expect(sound(s) && known(s.material), "a sphere that cannot be");
+    for (const RecordedStart& s : run.starts)
+        expect(s.position.allFinite() && s.velocity.allFinite(), "a sphere that cannot be");
     for (const Plane& p : run.planes) expect(sound(p) && known(p.material), "a plane that cannot be");
     for (const Material& m : run.materials)
         expect(fraction(m.restitution) && fraction(m.tangential), "a material that cannot be");

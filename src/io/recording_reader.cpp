@@ -314,6 +314,11 @@ bool RecordingReader::next(Instant& instant)
     return implementation_->next(instant);
 }
 
+void RecordingReader::forget_starts()
+{
+    implementation_->run.starts = {};
+}
+
 const std::map<std::string, std::string>& RecordingReader::meta() const
 {
     return implementation_->meta;

@@ -25,7 +25,9 @@ Cells::Cells(const std::vector<double>& radii) : level_(radii.size()), marks_(ra
     }
     const int bits = std::max(4, static_cast<int>(std::bit_width(radii.size())) + 1);
     heads_.assign(std::size_t{1} << bits, -1);
-    shift_ = 64 - bits;
+    mask_ = heads_.size() - 1;
+    constexpr std::size_t usual = 5;  // entries a sphere: growing would take twice that
+    entries_.reserve(usual * radii.size());
 }
 
 void Cells::clear()

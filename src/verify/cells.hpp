@@ -26,8 +26,13 @@ public:
     void clear();
     /// \param radius of the ball around the centre, which may be larger than the sphere's
     void enter(BodyId body, const Box& box, double radius);
-    /// Entries made since the last `clear`.
-    std::size_t entries() const { return entries_.size(); }
+    /// Cells entered since the last `clear`; who sweeps too many to list them counts for as many as could have been.
+    std::size_t entries() const
+    {
+        std::size_t n = entries_.size();
+        for (const Level& level : levels_) n += level.wide.size() * static_cast<std::size_t>(most_cells);
+        return n;
+    }
     double cell_size(BodyId body) const { return levels_[level_[static_cast<std::size_t>(body)]].size; }
 
     /// Everybody who may come within touch of a ball of this radius that sweeps the box; nobody twice.
@@ -59,12 +64,12 @@ private:
     };
     Place place(std::size_t level, std::int64_t x, std::int64_t y, std::int64_t z) const
     {
+        // Cells in a column of z are neighbours in memory.
         std::uint64_t h = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15u;
-        h = (h ^ (h >> 29)) + static_cast<std::uint64_t>(y) * 0xbf58476d1ce4e5b9u;
-        h = (h ^ (h >> 31)) + static_cast<std::uint64_t>(z) * 0x94d049bb133111ebu;
-        h = (h ^ (h >> 30)) + level;
-        h *= 0x9e3779b97f4a7c15u;
-        return {static_cast<std::size_t>(h >> shift_), static_cast<std::uint32_t>(h)};
+        h = (h ^ (h >> 29)) + static_cast<std::uint64_t>(y) * 0xbf58476d1ce4e5b9u + level;
+        h = (h ^ (h >> 31)) * 0x94d049bb133111ebu;
+        const auto up = static_cast<std::uint64_t>(z);
+        return {static_cast<std::size_t>((h >> 24) + up) & mask_, static_cast<std::uint32_t>(h + up * 0x9e3779b9u)};
     }
     /// Has this query met the body before?
     bool is_new(BodyId body)
@@ -81,7 +86,7 @@ private:
     std::vector<Entry> entries_;
     std::vector<std::uint32_t> marks_;
     std::uint32_t query_ = 0;
-    int shift_ = 0;
+    std::size_t mask_ = 0;
 };
 
 template <class Visit>

@@ -1,6 +1,7 @@
 #include "verify/coverage.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace carom::verification {
 
@@ -12,6 +13,8 @@ constexpr BodyId few = 40;
 constexpr double contact_slack = 1e-9;
 /// Of the promise for runs in doubles: 16 eps.
 constexpr double promised = 16 * 2 * u;
+
+constexpr double shortest = 0x1p-40, longest = 0x1p40;  ///< slabs [epochs]
 
 std::uint64_t pair_key(BodyId a, BodyId b)
 {
@@ -93,11 +96,12 @@ void Coverage::pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& 
         const double t0 = std::max({between<double>(reference_, from), qa.start, qb.start});
         const double t1 = between<double>(reference_, to), contact = data_.radius(a) + data_.radius(b);
         if (is_far(qa, qb, t0, t1, contact, interesting(contact))) return;
+        return look_closer(a, b, std::max({from, flights_.path(a).start, flights_.path(b).start}), to, true);
     }
-    look_closer(a, b, std::max({from, flights_.path(a).start, flights_.path(b).start}), to);
+    look_closer(a, b, std::max({from, flights_.path(a).start, flights_.path(b).start}), to, false);
 }
 
-void Coverage::look_closer(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to)
+void Coverage::look_closer(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to, bool is_near)
 {
     if (!(from < to)) return;
     const Path &pa = flights_.path(a), &pb = flights_.path(b);
@@ -112,7 +116,7 @@ void Coverage::look_closer(BodyId a, BodyId b, const EpochTime& from, const Epoc
             segment.initial_a = &found->second.first;
             segment.initial_b = &found->second.second;
         }
-    if (is_clear(segment, smallest_)) return;
+    if (!is_near && is_clear(segment, smallest_)) return;
     const double allowed =
         promised * std::max({ball_a.radius + ball_b.radius, flown(a, ball_a, to), flown(b, ball_b, to)});
     const bool is_swept = ball_a.is_swept || ball_b.is_swept;
@@ -140,9 +144,14 @@ void Coverage::planes(BodyId body, const EpochTime& to)
 
 void Coverage::plane(BodyId body, int p, const EpochTime& to)
 {
+    const Wall& wall = data_.wall(p);
+    const Quick& quick = quick_[static_cast<std::size_t>(body)];
+    if (quick.acceleration >= 0 && !wall.is_plate &&
+        is_far(quick, data_.acceleration(flights_.path(body)), wall.normal, wall.offset,
+               between<double>(reference_, to), data_.radius(body), std::max(0.0, smallest_)))
+        return;
     std::optional<Swept> room;
     const Ball ball = ball_of(body, room);
-    const Wall& wall = data_.wall(p);
     const BodyId partner = data_.spheres() + p;
     WallSegment segment{*ball.path, *ball.acceleration, wall,   side_of(wall, *ball.path), ball.path->start,
                         to,         ball.radius,        nullptr};
@@ -287,19 +296,38 @@ void Coverage::begin()
     begin_slab({});
 }
 
+void Coverage::sort_bodies()
+{
+    std::vector<std::pair<std::array<float, 3>, BodyId>> places;
+    places.reserve(order_.size());
+    for (BodyId i = 0; i < data_.spheres(); ++i) {
+        const Path& p = flights_.path(i);
+        const double size = 2 * cells_->cell_size(i);
+        std::array<float, 3> place;
+        for (std::size_t k = 0; k < 3; ++k)
+            place[k] = static_cast<float>(std::floor((static_cast<double>(p.cell[k]) + p.local[k]) / size));
+        places.emplace_back(place, i);
+    }
+    std::sort(places.begin(), places.end());
+    order_.clear();
+    for (const auto& [place, body] : places) order_.push_back(body);
+}
+
 void Coverage::begin_slab(const EpochTime& at)
 {
+    constexpr std::int64_t often = 16;
+    if (slabs_++ % often == 0) sort_bodies();
     slab_begin_ = at;
     slab_end_ = later(at, slab_);
     reference_ = at;
     cells_->clear();
-    for (BodyId i = 0; i < data_.spheres(); ++i) open(i, std::max(at, flights_.path(i).start));
+    for (const BodyId i : order_) open(i, std::max(at, flights_.path(i).start));
     entries_at_begin_ = cells_->entries();
 }
 
 void Coverage::end_slab(const EpochTime& at)
 {
-    for (BodyId i = 0; i < data_.spheres(); ++i) {
+    for (const BodyId i : order_) {
         const EpochTime from = std::max(slab_begin_, flights_.path(i).start);
         double radius = 0;
         const Box swept_box = box(i, from, at, radius);
@@ -312,21 +340,32 @@ void Coverage::end_slab(const EpochTime& at)
 void Coverage::advance(const EpochTime& now)
 {
     if (all_pairs_) return;
-    constexpr std::size_t few_cells = 2, many_cells = 4;  // a sphere and slab
-    constexpr std::size_t most_new = 3;  // entries since the slab began, beside those with which it did
-    const auto n = static_cast<std::size_t>(data_.spheres());
     while (!(now < slab_end_)) {
-        const std::size_t entries = entries_at_begin_;
         end_slab(slab_end_);
-        if (entries < few_cells * n) slab_ = std::min(2 * slab_, 0x1p40);
-        if (entries > many_cells * n) slab_ = std::max(slab_ / 2, 0x1p-40);
+        adapt();
         begin_slab(slab_end_);
     }
-    if (cells_->entries() > (1 + most_new) * std::max(entries_at_begin_, n) && slab_begin_ < now) {
+    // In cells a sphere: so many new ones, and a slab has been long enough.
+    constexpr double most_new = 2;
+    const double fresh = static_cast<double>(cells_->entries()) - static_cast<double>(entries_at_begin_);
+    if (fresh > most_new * data_.spheres() && slab_begin_ < now) {
         end_slab(now);
-        slab_ = std::max(slab_ / 2, 0x1p-40);
+        slab_ = std::max(slab_ / 2, shortest);
         begin_slab(now);
     }
+}
+
+/// The next slab is longer if spheres swept few cells in the last one, shorter if many.
+void Coverage::adapt()
+{
+    constexpr double few_cells = 1.5, many_cells = 3;
+    // Absurd speeds must not make it endless: there comes a point where slabs only grow.
+    constexpr std::int64_t most_slabs = 20'000;
+    const double cells = static_cast<double>(entries_at_begin_) / data_.spheres();
+    if (cells < few_cells || slabs_ > most_slabs + findings_.out.flights)
+        slab_ = std::min(2 * slab_, longest);
+    else if (cells > many_cells)
+        slab_ = std::max(slab_ / 2, shortest);
 }
 
 void Coverage::finish(const EpochTime& end)

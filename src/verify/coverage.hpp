@@ -42,7 +42,7 @@ private:
     double flown(BodyId body, const Ball& ball, const EpochTime& to) const;
     /// From `from`, or from the later start of the two, if that is later.
     void pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to);
-    void look_closer(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to);
+    void look_closer(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to, bool is_near);
     void set_reference(const EpochTime& at);
     /// What a squared distance must exceed to be of no interest: neither an overlap nor the smallest gap.
     double interesting(double contact) const { return std::max(0.0, smallest_ * (smallest_ + 2 * contact)); }
@@ -59,6 +59,8 @@ private:
     void begin_slab(const EpochTime& at);
     void end_slab(const EpochTime& at);
     void choose_duration();
+    void adapt();
+    void sort_bodies();
 
     const RunData& data_;
     const Flights& flights_;
@@ -74,6 +76,8 @@ private:
     EpochTime slab_begin_, slab_end_;
     double slab_ = 1;  ///< duration, a power of two [epochs]
     std::size_t entries_at_begin_ = 0;
+    std::vector<BodyId> order_;  ///< bodies, neighbours in space mostly neighbours here: their cells share memory
+    std::int64_t slabs_ = 0;
     /// Pairs that overlapped at the start, and where they were.
     std::unordered_map<std::uint64_t, std::pair<Path, Path>> overlaps_;
 };

@@ -112,19 +112,19 @@ std::optional<Accepted> accept(const RunData& data, Findings& findings, const Fl
 
 void check_first(const RunData& data, Findings& findings, BodyId body, const Path& path)
 {
-    const RecordedSphere& sphere = data.sphere(body);
-    const double size = sphere.velocity.norm() / data.units.length * data.units.time;
+    const RecordedStart& start = data.run.starts[static_cast<std::size_t>(body)];
+    const double size = start.velocity.norm() / data.units.length * data.units.time;
     for (int k = 0; k < 3; ++k) {
         const DoubleDouble x =
             DoubleDouble(static_cast<double>(path.cell[k])) + joined<DoubleDouble>(path.local[k], path.local_low[k]);
-        const double scene = sphere.position[k] / data.units.length;
+        const double scene = start.position[k] / data.units.length;
         const double off = std::abs((x - DoubleDouble(scene)).high);
         // What lies on the negative side of 0 may be rounded to its cell.
         if (off > (scene < 0 ? 2 * u : 0)) {
             findings.violation("sphere " + std::to_string(body) + " does not start where the scene says", {}, body);
             return;
         }
-        const double v = data.units.speed(sphere.fixed ? 0 : sphere.velocity[k]);
+        const double v = data.units.speed(data.sphere(body).fixed ? 0 : start.velocity[k]);
         const double turn = path.support < 0 ? 0 : 16 * u * size * std::abs(data.wall(path.support).normal[k]);
         if (std::abs(path.velocity[k] - v) > turn || path.velocity_low[k] != 0) {
             findings.violation("sphere " + std::to_string(body) + " does not start as fast as the scene says", {},

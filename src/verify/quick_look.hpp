@@ -60,4 +60,15 @@ inline bool is_far(const Quick& a, const Quick& b, double t0, double t1, double 
     return least - error > needed;
 }
 
+/// Is n.x - offset - r > `needed` from the start of the flight to t1, certainly?
+inline bool is_far(const Quick& q, const Vec3& a, const Vec3& n, double offset, double t1, double radius, double needed)
+{
+    const double hy = n.dot(q.y) - offset - radius, hw = n.dot(q.w), g = n.dot(a), t0 = q.start;
+    const double h0 = hy + t0 * (hw + 0.5 * t0 * g), h1 = hy + t1 * (hw + 0.5 * t1 * g);
+    const double duration = t1 - t0, span = t1 + std::abs(t0) + 1;
+    const double size = static_cast<double>(q.place_size) +
+                        span * (static_cast<double>(q.speed_size) + span * std::abs(g)) + std::abs(offset) + radius;
+    return std::min(h0, h1) - std::max(0.0, g) * duration * duration * 0.13 - 64 * u * size > needed;
+}
+
 }  // namespace carom::verification

@@ -124,7 +124,9 @@ private:
             check_first(data_, findings_, flight.body, accepted->path);
             flights_.paths.push_back(accepted->path);
         }
-        if (has_all()) coverage_.begin();
+        if (!has_all()) return true;
+        source_.forget_starts();
+        coverage_.begin();
         return true;
     }
 

@@ -20,8 +20,10 @@ inline RecordedRun described(const Scene& scene)
     run.materials = scene.materials;
     run.contacts = scene.contacts;
     run.planes = scene.planes;
-    for (const Sphere& s : scene.spheres)
-        run.spheres.push_back({s.radius, s.mass, s.position, s.velocity, s.material, s.fixed});
+    for (const Sphere& s : scene.spheres) {
+        run.spheres.push_back({s.radius, s.mass, s.material, s.fixed});
+        run.starts.push_back({s.position, s.velocity});
+    }
     return run;
 }
 

@@ -59,6 +59,8 @@ TEST_CASE("options are read where the contract puts them, global ones anywhere",
     CHECK(stress.stress.given.at("methods") == "event");
     CHECK(stress.stress.only == "zeno");
     CHECK(stress.stress.out == "x");
+    CHECK(parsed({"verify", "out/x"}).verify.run == "out/x");
+    CHECK(parsed({"verify", "out/x", "--all-pairs"}).verify.all_pairs);
     CHECK(parsed({"scenes"}).scenes.show.empty());
     CHECK(parsed({"scenes", "list"}).command == Command::scenes);
     CHECK(parsed({"scenes", "show", "ball"}).scenes.show == "ball");
@@ -73,6 +75,7 @@ TEST_CASE("help and version succeed on stdout, at every level and with examples"
                                                                                       {"check", "-h"},
                                                                                       {"explain", "-h"},
                                                                                       {"stress", "-h"},
+                                                                                      {"verify", "-h"},
                                                                                       {"scenes", "-h"},
                                                                                       {"scenes", "list", "-h"},
                                                                                       {"scenes", "show", "-h"}}) {

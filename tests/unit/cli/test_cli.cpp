@@ -3,6 +3,8 @@
 #include "io/compare_files.hpp"
 #include "io/events_csv.hpp"
 
+#include <carom/io.hpp>
+
 #include <catch2/catch.hpp>
 
 #include <unistd.h>
@@ -232,4 +234,62 @@ TEST_CASE("stress says who passes and why others fail, in a table, as JSON and i
     CHECK(unknown.code == exit_usage);
     CHECK_THAT(unknown.err, Contains("grazing"));
     CHECK(carom_tool({"stress", "--methods", "magic"}).code == exit_usage);
+}
+
+TEST_CASE("verify certifies a recorded run, refuses a damaged one, and tells what does not hold", "[cli]")
+{
+    const Folder folder;
+    REQUIRE(carom_tool({"run", folder / "ball.json", "-o", folder / "run"}).code == exit_ok);
+    for (const std::string& run : {folder / "run", folder / "run/run.carom"}) {
+        const Said table = carom_tool({"verify", run});
+        CHECK(table.code == exit_ok);
+        CHECK(table.err.empty());
+        CHECK_THAT(table.out, Contains("holds") && Contains("complete") && Contains("smallest gap"));
+    }
+    const json run = json::parse(folder.read("run/run.json")),
+               data = json::parse(carom_tool({"verify", folder / "run", "--json"}).out);
+    CHECK(data["format"] == "carom-verify/1");
+    CHECK(data["holds"] == true);
+    CHECK(data["event_hash"] == run["event_hash"]);
+    CHECK(data["impulses"] == 1);
+    CHECK(data["body_seconds"]["not_certified"] == 0);
+
+    std::string bytes = folder.read("run/run.carom");
+    bytes[bytes.find("carom-recording/1") + 3] ^= 1;
+    folder.write("damaged.carom", bytes);
+    const Said damaged = carom_tool({"verify", folder / "damaged.carom"});
+    CHECK(damaged.code == exit_bad_input);
+    CHECK_THAT(damaged.err, Contains("damaged"));
+    CHECK(carom_tool({"verify", folder / "nothing"}).code == exit_bad_input);
+    CHECK(carom_tool({"verify", folder / "ball.json"}).code == exit_bad_input);
+
+    // A recording of a ball that falls through the floor, by a writer of its own.
+    carom::Scene scene = carom::read_scene(folder / "ball.json");
+    {
+        carom::RecordingWriter writer(folder / "forged.carom", scene);
+        carom::Observer observer;
+        observer.on_frame = [&](const carom::RunFrame& frame) { writer.on_frame(frame); };
+        bool first = true;
+        observer.on_flight = [&](const carom::FlightRecord& flight) {
+            if (first) writer.on_flight(flight);
+            first = false;
+        };
+        carom::Outcome outcome = carom::simulate(scene, carom::EventDriven{}, {}, observer);
+        writer.finish(outcome);
+    }
+    const Said forged = carom_tool({"verify", folder / "forged.carom"});
+    CHECK(forged.code == exit_check_failed);
+    CHECK_THAT(forged.out, Contains("DOES NOT HOLD"));
+    CHECK_THAT(forged.err, Contains("overlap") && Contains("event hash"));
+    CHECK(json::parse(carom_tool({"verify", folder / "forged.carom", "--json"}).out)["violations"][1]["b"] == "floor");
+}
+
+TEST_CASE("a discrete method has no flights to record, and says so", "[cli]")
+{
+    const Folder folder;
+    const Said said = carom_tool({"run", folder / "ball.json", "--method", "pbd", "-o", folder / "run"});
+    CHECK(said.code == exit_ok);
+    CHECK_THAT(said.err, Contains("no flights to record"));
+    CHECK_FALSE(fs::exists(folder / "run/run.carom"));
+    CHECK(fs::exists(folder / "run/run.json"));
 }

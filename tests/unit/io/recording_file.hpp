@@ -58,10 +58,12 @@ inline std::string content_of(const std::filesystem::path& file)
     for (const RecordedSphere& s : run.spheres) {
         put(s.radius);
         put(s.mass);
-        put(s.position);
-        put(s.velocity);
         put(s.material);
         put(s.fixed);
+    }
+    for (const RecordedStart& s : run.starts) {
+        put(s.position);
+        put(s.velocity);
     }
     for (const Plane& p : run.planes) {
         put(p.normal);

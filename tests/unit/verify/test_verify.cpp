@@ -218,7 +218,7 @@ TEST_CASE("what a run may not do is told", "[verify]")
     refused([](MemorySource& s) { s.description.materials[0].restitution = 0.999999; }, "not that of its contact");
     refused([](MemorySource& s) { s.description.spheres[7].radius *= 1.001; }, "");
     refused([](MemorySource& s) { s.description.spheres[7].mass *= 1.001; }, "");
-    refused([](MemorySource& s) { s.description.spheres[7].position.x() += 1e-12; }, "where the scene says");
+    refused([](MemorySource& s) { s.description.starts[7].position.x() += 1e-12; }, "where the scene says");
     refused([](MemorySource& s) { s.description.end->time = 1; }, "after the end");
     refused([](MemorySource& s) { s.flights[100].acceleration = 0; }, "not gravity");
     refused([](MemorySource& s) { s.flights[100].mode = Mode::resting; }, "support");
@@ -262,7 +262,8 @@ TEST_CASE("double-double flights made by hand hold as certified", "[verify]")
     run.certified = true;
     run.frame = {1, 1, {Vec3::Zero()}};
     run.materials = {Material{"default", 1, 1, ""}};
-    run.spheres = {{0.3, 1, {0.1, 0.1, 0.1}, {0.7, 0, 0}, 0, false}, {0.3, 1, {1.1, 0.1, 0.1}, {0, 0, 0}, 0, false}};
+    run.spheres = {{0.3, 1, 0, false}, {0.3, 1, 0, false}};
+    run.starts = {{{0.1, 0.1, 0.1}, {0.7, 0, 0}}, {{1.1, 0.1, 0.1}, {0, 0, 0}}};
     const double t = 0.4 / 0.7 * (1 - 1e-16);
     FlightRecord a{0, {}, {0, 0, 0}, {0.1, 0.1, 0.1}, {}, {0.7, 0, 0}, {}, 0, -1, Mode::flying, {}};
     FlightRecord b = a;
@@ -309,7 +310,7 @@ TEST_CASE("overlaps of the start may stay, not deepen", "[verify]")
     for (const double speed : {1e-3, -1e-3}) {
         MemorySource moving = source;
         moving.flights[0].velocity[0] = speed;
-        moving.description.spheres[0].velocity.x() = speed;
+        moving.description.starts[0].velocity.x() = speed;
         CHECK(examined(moving).holds() == (speed < 0));
     }
 }
