@@ -14,7 +14,7 @@ namespace {
 
 std::int64_t odd_integer(Random& random, std::int64_t near)
 {
-    static constexpr std::array<std::int64_t, 8> odd{0, 1, -1, 2, 1 << 20, INT32_MAX, INT64_MAX, INT64_MIN};
+    static constexpr std::array<std::int64_t, 8> odd{0, 1, -1, 2, 1 << 14, INT32_MAX, INT64_MAX, INT64_MIN};
     if (random.below(2) == 0) return odd[random.below(odd.size())];
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(near) + random.below(9) - 4);
 }

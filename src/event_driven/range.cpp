@@ -1,0 +1,65 @@
+#include "event_driven/range.hpp"
+
+#include "core/text.hpp"
+#include "math/length.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+
+namespace {
+
+constexpr double most = 0x1p400, least = 0x1p-400;
+
+double largest(const Vec3& v)
+{
+    return v.cwiseAbs().maxCoeff();
+}
+
+std::string too_large(const std::string& what, double x)
+{
+    return what + " of " + to_text(x) + " is beyond 2^400, where products leave the range of doubles";
+}
+
+std::string too_small(const std::string& what, double x)
+{
+    return what + " of " + to_text(x) + " is below 2^-400, where products leave the range of doubles";
+}
+
+std::string of_sphere(const Sphere& s)
+{
+    const double size = std::max(s.radius, largest(s.position));
+    if (!(size <= most)) return too_large(s.id + ": a length", size);
+    if (!(s.radius >= least)) return too_small(s.id + ": a radius", s.radius);
+    if (!(s.mass <= most)) return too_large(s.id + ": a mass", s.mass);
+    if (!(s.mass >= least)) return too_small(s.id + ": a mass", s.mass);
+    if (!(largest(s.velocity) <= most)) return too_large(s.id + ": a speed", largest(s.velocity));
+    return {};
+}
+
+}  // namespace
+
+std::string out_of_range(const Scene& scene)
+{
+    if (!(largest(scene.gravity) <= most)) return too_large("an acceleration", largest(scene.gravity));
+    double heaviest = 0, lightest = std::numeric_limits<double>::infinity(), fastest = 0;
+    for (const Sphere& s : scene.spheres) {
+        if (std::string why = of_sphere(s); !why.empty()) return why;
+        if (s.fixed) continue;
+        heaviest = std::max(heaviest, s.mass);
+        lightest = std::min(lightest, s.mass);
+        fastest = std::max(fastest, length(s.velocity));
+    }
+    for (const Plane& p : scene.planes)
+        if (const double size = std::max(std::abs(p.offset), p.thickness.value_or(0)); !(size <= most))
+            return too_large(p.id + ": a length", size);
+    if (fastest == 0) return {};
+    const double spheres = static_cast<double>(scene.spheres.size());
+    if (const double reached = std::sqrt(spheres * (heaviest / lightest)) * fastest; !(reached <= most))
+        return too_large("the lightest sphere with all the energy: a speed", reached);
+    return {};
+}
+
+}  // namespace carom
