@@ -8,6 +8,8 @@
 #include "event_driven/run.hpp"
 #include "event_driven/schedule.hpp"
 
+#include <cmath>
+
 namespace carom {
 
 namespace {
@@ -39,7 +41,8 @@ Outcome run_event_driven(const Scene& scene, const EventDriven& method, const Ru
 {
     // Certified runs have one kernel: it must cover everything.
     const Kernel& kernel = method.certified ? kernels().back() : choose_kernel(scene, method.kernel);
-    if (const std::string why = out_of_range(scene); !why.empty()) return not_begun(scene, kernel, why);
+    const double until = std::isnan(options.until) ? scene.end_time : options.until;
+    if (const std::string why = out_of_range(scene, until); !why.empty()) return not_begun(scene, kernel, why);
     if (method.certified)
         return run_with<Schedule<Features{.gravity = true, .pairs = true}, true>>(scene, kernel, method, options,
                                                                                   observer);
