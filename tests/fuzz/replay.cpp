@@ -93,8 +93,9 @@ int main(int count, char** words)
     const auto mutations = static_cast<unsigned int>(std::strtoul(args[0].c_str(), nullptr, 10));
     constexpr std::size_t most_kept = 1000;
     for (unsigned int i = 0; i < mutations; ++i) {
-        // Mutations of mutations now and then, back to a seed now and then.
-        const std::size_t from = byte_random().below(inputs.size());
+        // Half of them of seeds, half of mutations: these get further, and sooner or later are refused at once.
+        const bool fresh = byte_random().below(2) == 0;
+        const std::size_t from = byte_random().below(fresh ? originals : inputs.size());
         std::string next = mutated(inputs[from], i);
         run(next);
         if (inputs.size() < originals + most_kept)
