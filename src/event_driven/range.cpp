@@ -77,6 +77,9 @@ std::string out_of_range(const Scene& scene, double until)
     const double spheres = static_cast<double>(scene.spheres.size());
     const double reached = fastest == 0 ? 0 : std::sqrt(spheres * (heaviest / lightest)) * fastest;
     if (!(reached <= most)) return too_large("the lightest sphere with all the energy: a speed", reached);
+    constexpr double furthest_flight = 0x1p1000;
+    if (!((reached + length(scene.gravity) * until) * until <= furthest_flight))
+        return "an end at " + to_text(until) + " is so late that a flight until then leaves the range of doubles";
     return of_frame(scene, until);
 }
 

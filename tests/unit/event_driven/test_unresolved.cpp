@@ -242,3 +242,15 @@ TEST_CASE("an end or a place that the frame cannot count to is said so; the run 
         CHECK(out.message.find("smallest radius") != std::string::npos);
     }
 }
+
+TEST_CASE("an end so late that what falls until then leaves the range of doubles is said so")
+{
+    Scene scene = empty_scene(1e169, {0, 8, -9.81}, 0.8);
+    add_sphere(scene, 0.1, {-1, 0, 1.1});
+    add_floor(scene);
+    const Outcome out = simulate(scene, EventDriven{});
+    CHECK(out.status == Status::unresolved);
+    CHECK(out.message.find("range of doubles") != std::string::npos);
+    scene.end_time = 1e120;
+    CHECK(simulate(scene, EventDriven{}).final[0].position.allFinite());
+}
