@@ -123,7 +123,7 @@ TEST_CASE("what a later version will read is refused as not yet supported, at it
         {R"("box": {"min": [0, 0, 0], "max": [1, 1, 1]}, "fill": [{"pattern": "fcc", "count": 4, "radius": 0.1}])",
          "/fill/0/pattern"},
         {R"("fill": [{"pattern": "line", "count": 4, "radius": 0.1, "temperature": 1}])", "/fill/0/temperature"},
-        {R"("run": {"certified": true})", "/run/certified"},
+        {R"("run": {"equilibrate": 1})", "/run/equilibrate"},
         {R"("compare": {"methods": ["moreau"]})", "/compare/methods/0"},
     };
     for (const auto& [members, pointer] : later) {
