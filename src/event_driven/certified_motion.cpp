@@ -318,7 +318,8 @@ EpochTime outside(const Frame& frame, const EpochTime& from, EpochTime time, con
 {
     // Places are rounded, and may lie on the wrong side of a contact by 2^-100 or so.
     constexpr int most_steps = 8;
-    for (int i = 0; i < most_steps && from < time && overlap_at(time) > 0; ++i) time = step_back(frame, from, time);
+    for (int i = 0; i < most_steps && from < time && time != never && overlap_at(time) > 0; ++i)
+        time = step_back(frame, from, time);
     return time;
 }
 
@@ -338,7 +339,7 @@ Flown flown(const State& state, BodyId body, const EpochTime& now)
         const DoubleDouble shift = dt * (DoubleDouble(f.velocity[k]) + half * DoubleDouble(g[k]));
         DoubleDouble sum = (DoubleDouble(f.place.local[k]) + DoubleDouble(out.low[k])) + shift;
         const double whole = std::floor(sum.high / size);
-        if (whole != 0) {
+        if (whole != 0 && std::abs(whole) < furthest) {
             sum = sum - DoubleDouble(whole * size);
             out.flight.place.cell[k] += static_cast<std::int64_t>(whole);
         }

@@ -7,12 +7,6 @@
 
 namespace carom {
 
-namespace {
-
-constexpr double furthest = 0x1p62;  ///< epochs and cells beyond it do not fit 64 bits
-
-}  // namespace
-
 double power_of_two_below(double x)
 {
     int exponent = 0;

@@ -13,6 +13,7 @@
 
 namespace carom {
 
+inline constexpr double furthest = 0x1p62;  ///< epochs and cells beyond it do not fit 64 bits
 inline constexpr EpochTime never{std::numeric_limits<std::int64_t>::max(), 0};
 
 struct Frame {

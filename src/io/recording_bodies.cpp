@@ -162,6 +162,14 @@ const std::vector<std::string>& bodies_kinds()
     return kinds;
 }
 
+std::int64_t most_in_row(const std::string& kind)
+{
+    constexpr std::int64_t most_bytes_of_ids = std::int64_t{1} << 30;  // as large as a scene file may be
+    constexpr std::int64_t most_others = 1 << 20;
+    if (kind == "spheres") return most_bodies;
+    return kind.ends_with("_ids") ? most_bytes_of_ids : most_others;
+}
+
 std::vector<BodiesRow> bodies_rows(const Scene& scene)
 {
     const auto count = [](const auto& items) { return static_cast<std::int64_t>(items.size()); };

@@ -10,6 +10,8 @@ std::vector<BodiesRow> bodies_rows(const Scene& scene);
 /// Kinds of the rows, in their order.
 const std::vector<std::string>& bodies_kinds();
 
+/// The largest count of a row that a reader accepts: constant columns of any length take a few bytes of the file.
+std::int64_t most_in_row(const std::string& kind);
 /// \throws InputError if a row is not what its kind says, or a value is out of range
 void read_bodies_row(RecordedRun& run, const BodiesRow& row, const std::string& file);
 /// After all rows: do indices point at something?

@@ -203,7 +203,8 @@ private:
         if (bodies.size() != bodies_kinds().size()) damaged("rows of bodies are missing");
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             if (bodies[i].kind != bodies_kinds()[i]) damaged("rows of bodies are not in their order");
-            if (bodies[i].count < 0 || (i % 2 == 0 && bodies[i].count > most_bodies)) damaged("too many bodies");
+            if (bodies[i].count < 0 || bodies[i].count > most_in_row(bodies[i].kind))
+                damaged("too many " + bodies[i].kind);
             read_bodies_row(run, bodies[i], file);
             bodies[i].data = {};
         }

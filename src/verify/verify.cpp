@@ -56,7 +56,7 @@ public:
         while (going && source_.next(instant)) going = take(instant) && wanted();
         if (going)
             end();
-        else if (has_all())
+        else if (covering_)
             coverage_.finish(now_);
         out_.until = data_.units.seconds(now_);
         out_.event_hash = hash_.value();
@@ -127,6 +127,7 @@ private:
         if (!has_all()) return true;
         source_.forget_starts();
         coverage_.begin();
+        covering_ = true;
         return true;
     }
 
@@ -196,6 +197,7 @@ private:
     Flights flights_;
     Findings findings_;
     Coverage coverage_;
+    bool covering_ = false;  ///< coverage has begun
     ImpactAudit audit_;
     EventHash hash_;
     EpochTime now_;

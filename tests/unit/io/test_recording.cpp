@@ -1,4 +1,6 @@
+#include "fuzz/recording_parts.hpp"
 #include "io/columns.hpp"
+#include "io/recording_bodies.hpp"
 #include "recording_file.hpp"
 #include "support/recorded.hpp"
 
@@ -253,4 +255,20 @@ TEST_CASE("a file cut anywhere is refused or reads as a part", "[recording]")
         write_bytes(cut, bytes.substr(0, n));
         CHECK_THROWS_AS(content_of(cut), InputError);
     }
+}
+
+TEST_CASE("counts beyond reason are refused before memory is asked for, whatever the checksums say", "[recording]")
+{
+    const RecordingFolder folder;
+    const std::filesystem::path file = folder / "run.carom", changed = folder / "changed.carom";
+    record_to(file, ball_with_series());
+    for (std::size_t k = 0; k < io::bodies_kinds().size(); ++k)
+        for (const std::int64_t count : {std::int64_t{1} << 31, std::int64_t{1} << 40, INT64_MAX, std::int64_t{-1}}) {
+            fuzz::RecordingParts parts = fuzz::read_parts(file);
+            parts.bodies[k].count = count;
+            std::filesystem::remove(changed);
+            fuzz::write_parts(changed, parts);
+            CAPTURE(k, count);
+            CHECK_THROWS_WITH(content_of(changed), Contains("too many " + io::bodies_kinds()[k]));
+        }
 }

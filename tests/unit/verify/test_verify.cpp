@@ -314,3 +314,17 @@ TEST_CASE("overlaps of the start may stay, not deepen", "[verify]")
         CHECK(examined(moving).holds() == (speed < 0));
     }
 }
+
+TEST_CASE("one flight too many at the start is a violation, also before anything is covered", "[verify]")
+{
+    Scene scene = empty_scene(1);
+    add_sphere(scene, 1, {0, 0, 0});
+    add_sphere(scene, 1, {5, 0, 0});
+    MemorySource source = recorded(scene);
+    source.flights.push_back(source.flights.back());
+    source.after.push_back(0);
+    source.seal();
+    const Certificate c = examined(source);
+    CHECK_FALSE(c.holds());
+    CHECK(first_violation(c).find("not one for each sphere") != std::string::npos);
+}

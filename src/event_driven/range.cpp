@@ -1,0 +1,86 @@
+#include "event_driven/range.hpp"
+
+#include "core/text.hpp"
+#include "flight/frame.hpp"
+#include "math/length.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+
+namespace {
+
+constexpr double most = 0x1p400, least = 0x1p-400, longest = 0x1p800;
+
+double largest(const Vec3& v)
+{
+    return v.cwiseAbs().maxCoeff();
+}
+
+std::string too_large(const std::string& what, double x, const char* limit = "2^400")
+{
+    return what + " of " + to_text(x) + " is beyond " + limit + ", where products leave the range of doubles";
+}
+
+std::string too_small(const std::string& what, double x)
+{
+    return what + " of " + to_text(x) + " is below 2^-400, where products leave the range of doubles";
+}
+
+std::string of_sphere(const Sphere& s)
+{
+    const double size = std::max(s.radius, largest(s.position));
+    if (!(size <= most)) return too_large(s.id + ": a length", size);
+    if (!(s.radius >= least)) return too_small(s.id + ": a radius", s.radius);
+    if (!(s.mass <= most)) return too_large(s.id + ": a mass", s.mass);
+    if (!(s.mass >= least)) return too_small(s.id + ": a mass", s.mass);
+    if (!(largest(s.velocity) <= most)) return too_large(s.id + ": a speed", largest(s.velocity));
+    return {};
+}
+
+std::string of_frame(const Scene& scene, double until)
+{
+    // Far enough below 2^63 that sums of a few fit, too.
+    constexpr double most_cells = 0x1p60, most_epochs = 0x1p60;
+    const Frame frame = make_frame(scene);
+    for (const Sphere& s : scene.spheres)
+        if (!(largest(s.position) <= most_cells * frame.cell_size))
+            return s.id + ": a place " + to_text(largest(s.position)) +
+                   " is beyond 2^60 times the smallest radius (move the origin, or leave the smallest sphere out)";
+    if (!(until <= most_epochs * frame.epoch_length))
+        return "an end at " + to_text(until) +
+               " is too far for the fastest sphere: its times are counted in units of " + to_text(frame.epoch_length) +
+               " (a larger end_time makes them larger)";
+    return {};
+}
+
+}  // namespace
+
+std::string out_of_range(const Scene& scene, double until)
+{
+    if (!(std::max(until, scene.end_time) <= longest))
+        return too_large("a time", std::max(until, scene.end_time), "2^800");
+    if (!(largest(scene.gravity) <= most)) return too_large("an acceleration", largest(scene.gravity));
+    double heaviest = 0, lightest = std::numeric_limits<double>::infinity(), fastest = 0;
+    for (const Sphere& s : scene.spheres) {
+        if (std::string why = of_sphere(s); !why.empty()) return why;
+        if (s.fixed) continue;
+        heaviest = std::max(heaviest, s.mass);
+        lightest = std::min(lightest, s.mass);
+        fastest = std::max(fastest, length(s.velocity));
+    }
+    for (const Plane& p : scene.planes)
+        if (const double size = std::max(std::abs(p.offset), p.thickness.value_or(0)); !(size <= most))
+            return too_large(p.id + ": a length", size);
+    const double spheres = static_cast<double>(scene.spheres.size());
+    const double reached = fastest == 0 ? 0 : std::sqrt(spheres * (heaviest / lightest)) * fastest;
+    if (!(reached <= most)) return too_large("the lightest sphere with all the energy: a speed", reached);
+    constexpr double furthest_flight = 0x1p1000;
+    if (!((reached + length(scene.gravity) * until) * until <= furthest_flight))
+        return "an end at " + to_text(until) + " is so late that a flight until then leaves the range of doubles";
+    return of_frame(scene, until);
+}
+
+}  // namespace carom

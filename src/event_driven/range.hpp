@@ -1,0 +1,17 @@
+/// \file
+/// Numbers that the engine's arithmetic has room for.
+#pragma once
+
+#include <carom/scene.hpp>
+
+#include <string>
+
+namespace carom {
+
+/// Why the scene cannot be run until `until` [time], because numbers on the way would leave the range of doubles, or
+/// times and places that of the frame's epochs and cells; empty if it can. Lengths, masses, speeds and accelerations
+/// may be up to 2^400 in size, also the speed that the lightest sphere would have with all the energy; radii and masses
+/// down to 2^-400. \pre the scene is valid
+std::string out_of_range(const Scene& scene, double until);
+
+}  // namespace carom

@@ -1,0 +1,133 @@
+#include "fuzz/recording_parts.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace carom::fuzz {
+
+using namespace io;
+
+namespace {
+
+Bytes copy(std::span<const unsigned char> bytes)
+{
+    return {bytes.begin(), bytes.end()};
+}
+
+ChunkRow chunk_row(const Statement& rows)
+{
+    ChunkRow row;
+    row.seq = rows.integer(0);
+    row.kind = rows.text(1);
+    row.count = rows.integer(2);
+    row.first = {rows.integer(3), rows.real(4)};
+    row.last = {rows.integer(5), rows.real(6)};
+    row.lowest_body = rows.integer(7);
+    row.highest_body = rows.integer(8);
+    return row;
+}
+
+void write_chunks(Database& database, const RecordingParts& parts, std::uint32_t& checksum)
+{
+    for (const auto& [row, data] : parts.chunks) {
+        checksum = chunk_checksum(row, data, checksum);
+        Statement insert(database, "INSERT INTO chunks VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        insert.bind(0, row.seq).bind(1, row.kind).bind(2, row.count);
+        insert.bind(3, row.first.epoch).bind(4, row.first.offset);
+        insert.bind(5, row.last.epoch).bind(6, row.last.offset);
+        insert.bind(7, row.lowest_body).bind(8, row.highest_body).bind(9, static_cast<std::int64_t>(checksum));
+        insert.bind(10, data).step();
+    }
+}
+
+void write_meta(Database& database, const Meta& meta)
+{
+    for (const auto& [key, value] : meta)
+        Statement(database, "INSERT INTO meta VALUES (?, ?)").bind(0, key).bind(1, value).step();
+}
+
+}  // namespace
+
+RecordingParts read_parts(const std::filesystem::path& file)
+{
+    Database database(file, Access::read);
+    RecordingParts parts;
+    for (Statement rows(database, "SELECT key, value FROM meta"); rows.step();) parts.meta[rows.text(0)] = rows.text(1);
+    for (Statement rows(database, "SELECT document FROM scene"); rows.step();) parts.scene = copy(rows.blob(0));
+    for (Statement rows(database, "SELECT epoch_length, cell_size, gravity, accelerations FROM frame"); rows.step();)
+        parts.frame = {rows.real(0), rows.real(1), copy(rows.blob(2)), copy(rows.blob(3))};
+    for (Statement rows(database, "SELECT kind, count, data FROM bodies ORDER BY rowid"); rows.step();)
+        parts.bodies.push_back({rows.text(0), rows.integer(1), copy(rows.blob(2))});
+    Statement rows(database,
+                   "SELECT seq, kind, count, first_epoch, first_offset, last_epoch, last_offset, lowest_body, "
+                   "highest_body, checksum, data FROM chunks ORDER BY seq");
+    while (rows.step()) parts.chunks.push_back({chunk_row(rows), copy(rows.blob(10))});
+    return parts;
+}
+
+void write_parts(const std::filesystem::path& file, RecordingParts parts)
+{
+    Database database(file, Access::create);
+    database.execute("PRAGMA page_size = 1024; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN;");
+    database.execute(("PRAGMA application_id = " + std::to_string(recording_application_id) +
+                      "; PRAGMA user_version = " + std::to_string(recording_version))
+                         .c_str());
+    for (const std::string& table : recording_tables()) database.execute(table.c_str());
+    std::uint32_t checksum = head_checksum(parts.meta, parts.scene, parts.frame, parts.bodies);
+    if (parts.meta.contains("head_checksum")) parts.meta["head_checksum"] = std::to_string(checksum);
+    Statement(database, "INSERT INTO scene VALUES (?)").bind(0, parts.scene).step();
+    Statement frame(database, "INSERT INTO frame VALUES (?, ?, ?, ?)");
+    frame.bind(0, parts.frame.epoch_length).bind(1, parts.frame.cell_size);
+    frame.bind(2, parts.frame.gravity).bind(3, parts.frame.accelerations).step();
+    for (const BodiesRow& row : parts.bodies)
+        Statement(database, "INSERT INTO bodies VALUES (?, ?, ?)")
+            .bind(0, row.kind)
+            .bind(1, row.count)
+            .bind(2, row.data)
+            .step();
+    write_chunks(database, parts, checksum);
+    if (parts.meta.contains("end_checksum"))
+        parts.meta["end_checksum"] = std::to_string(end_checksum(parts.meta, checksum));
+    write_meta(database, parts.meta);
+    database.execute("COMMIT");
+}
+
+MemoryFile::MemoryFile()
+{
+    std::error_code none;
+    const std::filesystem::path memory = "/dev/shm";
+    const auto folder = std::filesystem::is_directory(memory, none) ? memory : std::filesystem::temp_directory_path();
+    static int made = 0;
+    path_ = folder / ("carom-fuzz-" + std::to_string(::getpid()) + "-" + std::to_string(made++ % 4));
+    remove();
+}
+
+MemoryFile::~MemoryFile()
+{
+    remove();
+}
+
+void MemoryFile::remove() const
+{
+    std::error_code ignored;
+    for (const char* suffix : {"", "-journal", "-wal", "-shm"})
+        std::filesystem::remove(path_.string() + suffix, ignored);
+}
+
+void MemoryFile::write(const unsigned char* data, std::size_t size) const
+{
+    remove();
+    std::ofstream(path_, std::ios::binary)
+        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+}
+
+std::string MemoryFile::read() const
+{
+    std::ifstream file(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace carom::fuzz
