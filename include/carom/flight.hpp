@@ -29,6 +29,11 @@ struct SeriesRecord {
     Vec3 acceleration = Vec3::Zero();  ///< tangential [length/time^2]
 };
 
+/// FlightRecord::support of what is in persistent contact with spheres, or with several planes.
+inline constexpr std::int32_t several_supports = -2;
+/// FlightRecord::acceleration of a flight that has one of its own.
+inline constexpr std::int32_t own_acceleration = -1;
+
 /// From `start` until the same body's next flight: x(t) = x0 + v0 (t - start) + a (t - start)^2 / 2, in exact
 /// arithmetic on the numbers here, x0 and v0 each being a sum of doubles (the low parts are 0 in runs of plain
 /// doubles). Origin and start time of the scene play no part.
@@ -40,8 +45,10 @@ struct FlightRecord {
     std::array<double, 3> local_low{};     ///< [length]
     std::array<double, 3> velocity{};      ///< v0 = velocity + velocity_low [length/time]
     std::array<double, 3> velocity_low{};  ///< [length/time]
-    std::int32_t acceleration = 0;         ///< which of RunFrame::accelerations
-    std::int32_t support = -1;             ///< plane that carries a series, a slide or a rest; -1 if none
+    std::int32_t acceleration = 0;         ///< which of RunFrame::accelerations, or own_acceleration
+    std::array<double, 3> own{};           ///< its own acceleration, otherwise 0 [length/time^2]
+    std::int32_t support = -1;  ///< plane that carries a series, a slide or a rest; -1 if none; or several_supports
+    bool guarded = false;       ///< in a window of the guard: a straight line, mode numeric
     Mode mode = Mode::flying;
     std::optional<SeriesRecord> series;  ///< if and only if mode is series
 };

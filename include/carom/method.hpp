@@ -56,6 +56,13 @@ struct Naive : StepOptions {
     static constexpr std::string_view method_name = "naive";
 };
 
+/// Moreau-Jean time stepping: one complementarity problem for all contacts of a step, by projected Gauss-Seidel
+/// (Moreau 1988).
+struct Moreau : StepOptions {
+    static constexpr std::string_view method_name = "moreau";
+    int sweeps = 100;  ///< >= 1, of Gauss-Seidel, at most
+};
+
 /// Each alternative says what users call it, `method_name`; names, help texts and messages follow from this list.
 using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive>;
 

@@ -5,6 +5,7 @@
 /// here throw nothing.
 #pragma once
 
+#include <carom/response.hpp>
 #include <carom/types.hpp>
 
 #include <cstdint>
@@ -63,18 +64,6 @@ struct Plane {
     int material = 0;                 ///< index into Scene::materials
 };
 
-enum class RestPolicy : std::uint8_t { contact };
-
-/// When and how spheres come to rest. Unset values take the defaults of `rest_thresholds`.
-struct RestOptions {
-    RestPolicy policy = RestPolicy::contact;
-    std::optional<double> closing_speed;  ///< v_c >= 0 [length/time]
-    std::optional<double> window;         ///< tau_p >= 0 [time]
-    std::optional<double> numeric_step;   ///< h > 0 [time]
-    std::optional<double> gap_tolerance;  ///< g_tol >= 0 [length]
-    double series_below = 1e-3;  ///< >= 0; bounces lower than this fraction of the radius are summed in closed form
-};
-
 /// One line of a scene's `checks`: what a correct event run of the scene must show.
 struct Check {
     std::string type;  ///< no_overlap, energy, momentum, inside, event_time, event_count, rest_time, final_position,
@@ -109,6 +98,8 @@ struct Scene {
     std::vector<Material> materials{Material{"default", 1, 1, ""}};
     std::vector<ContactRule> contacts;
     RestOptions rest;
+    ImpactOptions impact;
+    GuardOptions guard;
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;
     std::vector<Check> checks;

@@ -64,10 +64,26 @@ struct Counts {
     std::int64_t clusters = 0;  ///< instants at which several contacts were resolved together
     std::int64_t rests = 0, releases = 0, guarded = 0;
     std::int64_t cell_crossings = 0, list_rebuilds = 0;
-    std::int64_t stale = 0;        ///< scheduled events that were out of date when their turn came
-    std::int64_t pair_tests = 0;   ///< pairs (sphere-sphere, sphere-plane) whose gap or time of impact was examined
-    std::int64_t root_solves = 0;  ///< square roots taken or brackets bisected for a time of impact
-    std::int64_t steps = 0;        ///< substeps of a discrete method
+    std::int64_t stale = 0;          ///< scheduled events that were out of date when their turn came
+    std::int64_t pair_tests = 0;     ///< pairs (sphere-sphere, sphere-plane) whose gap or time of impact was examined
+    std::int64_t root_solves = 0;    ///< square roots taken or brackets bisected for a time of impact
+    std::int64_t steps = 0;          ///< substeps of a discrete method
+    std::int64_t numeric_steps = 0;  ///< of clusters whose normals turn
+};
+
+/// Kinetic energy that thresholds took, each >= 0 up to rounding [energy]. What impacts take by e < 1 is not in it.
+struct EnergyTaken {
+    double closing = 0;      ///< impacts made inelastic: every closing slower than v_c, or closed less than tau_p ago
+    double settling = 0;     ///< contacts declared persistent: their rest of normal speed
+    double stabilising = 0;  ///< numeric clusters: gaps and closings put back to 0, and the error of the steps
+    double guard = 0;        ///< windows of the guard
+};
+
+/// Time spent by all moving bodies together [time].
+struct BodySeconds {
+    double closed_form = 0;  ///< flights, series, slides and rests
+    double numeric = 0;      ///< numeric clusters
+    double guarded = 0;      ///< windows of the guard
 };
 
 struct Outcome {
@@ -79,6 +95,8 @@ struct Outcome {
     std::vector<BodyState> final;                   ///< at `time`, in body order
     std::vector<std::optional<double>> rest_times;  ///< per sphere: when its normal motion ended, if it did [time]
     std::vector<double> plane_impulses;  ///< per plane: normal impulse taken, resting included [mass length/time]
+    EnergyTaken energy_taken;
+    BodySeconds body_seconds;
     double max_penetration = 0;  ///< event: at impacts; discrete: at the end of each substep before correction [length]
     std::uint64_t event_hash = 0;  ///< event-driven runs only
     double epoch_length = 1;       ///< power of two [time]

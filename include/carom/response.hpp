@@ -1,0 +1,73 @@
+/// \file
+/// How a scene answers contact beyond the law of a single impact: several contacts at once, coming to rest, and what is
+/// done where impacts accumulate.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace carom {
+
+/// How the impacts of several contacts at one instant are resolved together.
+enum class ImpactOperator : std::uint8_t {
+    reflections,  ///< generalized reflections (Smith et al. 2012), with a test for jams; any mix of e
+    sequential,   ///< the pair law again and again, in the order of the contacts (Gauss-Seidel)
+    lcp,          ///< one linear complementarity problem, see LcpOptions
+    shock,        ///< from the ground up, lower bodies infinitely heavy (Guendelman et al. 2003)
+    jacobi        ///< the pair law of all contacts at once, again and again; for teaching
+};
+inline constexpr std::array<std::string_view, 5> impact_operator_names{"reflections", "sequential", "lcp", "shock",
+                                                                       "jacobi"};
+
+enum class LcpLaw : std::uint8_t {
+    newton,  ///< each velocity after is at least -e times the one before
+    poisson  ///< compression first, then e times its impulses are given back
+};
+enum class LcpSolver : std::uint8_t { exact, gauss_seidel };
+
+struct LcpOptions {
+    LcpLaw law = LcpLaw::newton;
+    LcpSolver solver = LcpSolver::exact;
+    int sweeps = 100;  ///< >= 1, of Gauss-Seidel
+};
+
+struct ImpactOptions {
+    ImpactOperator impact_operator = ImpactOperator::reflections;
+    /// >= 0: contacts that are this fraction of the smaller radius apart, or less, when one of them closes belong to
+    /// one instant. Unset: 1e-12, and exact ties in certified runs.
+    std::optional<double> tie;
+    LcpOptions lcp;
+};
+
+enum class RestPolicy : std::uint8_t {
+    contact,  ///< bounces are summed, contacts persist
+    micro,    ///< a train of bounces of a smallest speed (Hahn 1988)
+    none      ///< purely event-driven: a run ends where impacts accumulate, with Status::zeno
+};
+inline constexpr std::array<std::string_view, 3> rest_policy_names{"contact", "micro", "none"};
+
+/// When and how spheres come to rest. Unset values take the defaults of `rest_thresholds`.
+struct RestOptions {
+    RestPolicy policy = RestPolicy::contact;
+    std::optional<double> closing_speed;  ///< v_c >= 0 [length/time]
+    std::optional<double> window;         ///< tau_p >= 0 [time]
+    std::optional<double> numeric_step;   ///< h > 0 [time]
+    std::optional<double> gap_tolerance;  ///< g_tol >= 0 [length]
+    double series_below = 1e-3;  ///< >= 0; bounces lower than this fraction of the radius are summed in closed form
+};
+
+/// Discrete method that takes a jammed component over for one window.
+enum class GuardFallback : std::uint8_t { moreau, velocity, pbd };
+inline constexpr std::array<std::string_view, 3> guard_fallback_names{"moreau", "velocity", "pbd"};
+
+/// Where impacts of connected bodies, some of them inelastic, accumulate, a discrete method takes these bodies over.
+struct GuardOptions {
+    bool on = true;                ///< off: such a run ends with Status::unresolved
+    int impacts = 100;             ///< B >= 1: more than B impacts per body within one window are too many
+    std::optional<double> window;  ///< > 0 [time]; unset: the numeric step h
+    GuardFallback fallback = GuardFallback::moreau;
+};
+
+}  // namespace carom
