@@ -16,7 +16,7 @@ void Ledger::show_frame(const State& state) const
 {
     if (!observer_.on_frame) return;
     RunFrame frame{state.frame.epoch_length, state.frame.cell_size, {}};
-    for (AccelerationId id = 0; id < state.accelerations.count(); ++id)
+    for (AccelerationId id = 0; id < state.accelerations.shared(); ++id)
         frame.accelerations.push_back(state.accelerations[id]);
     observer_.on_frame(frame);
 }
@@ -35,6 +35,12 @@ FlightRecord Ledger::record_of(const State& state, BodyId body)
         record.velocity[k] = f.velocity[static_cast<Eigen::Index>(k)];
     }
     record.acceleration = f.acceleration;
+    if (state.accelerations.is_own(f.acceleration)) {
+        record.acceleration = own_acceleration;
+        for (std::size_t k = 0; k < 3; ++k)
+            record.own[k] = state.accelerations[f.acceleration][static_cast<Eigen::Index>(k)];
+    }
+    record.guarded = f.mode == Mode::numeric && !state.pieces.at(body).cluster;
     record.support = f.support;
     record.mode = f.mode;
     if (f.mode == Mode::series) {
@@ -54,25 +60,52 @@ void Ledger::show(Event event) const
 void Ledger::report(const State& state, const EpochTime& now, Event event)
 {
     event.at = now;
-    const auto a = static_cast<std::size_t>(event.a);
     if (event.kind == EventKind::impact) {
         ++out.counts.impacts;
         if (state.is_plane(event.b))
             out.plane_impulses[static_cast<std::size_t>(state.plane_index(event.b))] += event.impulse.dot(event.normal);
     } else if (event.kind == EventKind::rest) {
         ++out.counts.rests;
-        out.rest_times[a] = state.frame.seconds(now);
     } else if (event.kind == EventKind::release) {
         ++out.counts.releases;
-        out.rest_times[a].reset();
+    } else if (event.kind == EventKind::guard) {
+        ++out.counts.guarded;
     }
     hash_.add(event);
     if (observer_.on_event) show(event);
 }
 
+void Ledger::note_mode(const State& state, BodyId body, Mode next, const EpochTime& now)
+{
+    const auto is_held = [](Mode mode) {
+        return mode == Mode::resting || mode == Mode::sliding || mode == Mode::numeric;
+    };
+    std::optional<double>& rest = out.rest_times[static_cast<std::size_t>(body)];
+    if (!is_held(next))
+        rest.reset();
+    else if (!is_held(state.flight(body).mode))
+        rest = state.frame.seconds(now);
+}
+
+void Ledger::take(const EnergyTaken& taken)
+{
+    out.energy_taken.closing += taken.closing;
+    out.energy_taken.settling += taken.settling;
+    out.energy_taken.stabilising += taken.stabilising;
+    out.energy_taken.guard += taken.guard;
+}
+
 void Ledger::account_for_support(const State& state, BodyId body, const EpochTime& now)
 {
     const Flight& f = state.flight(body);
+    if (f.mode == Mode::numeric)
+        (state.pieces.at(body).cluster ? out.body_seconds.numeric : out.body_seconds.guarded) +=
+            state.frame.between(f.start, now);
+    if (f.support == several_supports)
+        for (const PersistentContact& c : state.contacts.of(body))
+            if (state.is_plane(c.partner))
+                out.plane_impulses[static_cast<std::size_t>(state.plane_index(c.partner))] +=
+                    c.force * state.frame.between(f.start, now);
     if (f.support < 0) return;
     const Vec3 normal = facing_normal(state, f.support, f.place);
     const Flight after = advanced(state, body, now);

@@ -37,7 +37,16 @@ public:
     /// flight changes.
     void account_for_support(const State& state, BodyId body, const EpochTime& now);
 
-    std::int64_t events() const { return out.counts.impacts + out.counts.rests + out.counts.releases; }
+    /// A body's mode becomes another one at `now`.
+    void note_mode(const State& state, BodyId body, Mode next, const EpochTime& now);
+    /// What thresholds took.
+    void take(const EnergyTaken& taken);
+
+    std::int64_t events() const
+    {
+        const Counts& c = out.counts;
+        return c.impacts + c.rests + c.releases + c.guarded + c.numeric_steps;
+    }
     std::uint64_t hash() const { return hash_.value(); }
 
     Outcome out;

@@ -6,6 +6,7 @@
 #include "event_driven/ledger.hpp"
 #include "event_driven/low_bounce.hpp"
 #include "event_driven/predict_planes.hpp"
+#include "event_driven/resolve_component.hpp"
 #include "impact/pair_law.hpp"
 
 #include <span>
@@ -43,7 +44,7 @@ public:
     /// it stops after one that loses energy
     int bounces(State& state, const EpochTime& last, int most, Ledger& ledger)
     {
-        if (plates_ || next_.key.kind != Scheduled::plane_impact || state.flights[0].support >= 0) return 0;
+        if (plates_ || next_.key.kind != Scheduled::plane_impact || state.flights[0].support != -1) return 0;
         return walls_.size() == 1 ? bounces_among<true>(state, last, most, ledger)
                                   : bounces_among<false>(state, last, most, ledger);
     }
@@ -82,7 +83,7 @@ private:
                         double tie) const
     {
         for (const Wall& other : walls_)
-            if (&other != &wall && other.normal.dot(velocity) < 0 && height(frame, other, place, radius) <= tie)
+            if (&other != &wall && other.normal.dot(velocity) <= 0 && height(frame, other, place, radius) <= tie)
                 return true;
         return false;
     }
@@ -97,7 +98,7 @@ private:
     {
         const Frame frame = state.frame;
         const Vec3 acceleration = state.accelerations[state.accelerations.free()];
-        const double radius = state.radius(0), tie = tie_fraction * radius, mass = 1 / state.inverse_mass(0),
+        const double radius = state.radius(0), tie = state.tie(radius), mass = 1 / state.inverse_mass(0),
                      scale = radius + frame.cell_size;
         Flight f = state.flights[0];
         Contact next = contact(frame, f, radius, walls_[static_cast<std::size_t>(state.plane_index(next_.key.b))]);
@@ -119,6 +120,7 @@ private:
             if (!alone && another_closes(frame, wall, place, before, radius, tie)) break;
             Contact again{never, &wall, height(frame, wall, place, radius), 0};
             if (!(normal.dot(before) < 0)) break;
+            if (inelastic && is_inelastic(state, 0, wall.body, -normal.dot(before), next.time)) break;
             const Vec3 change = velocity_change(before, normal, wall.law), after = before + change;
             again.w = normal.dot(after);
             if (again.w < 0 || is_rest(scale, after, again.w, -wall.gravity) ||
@@ -137,7 +139,10 @@ private:
                 ledger.show_flight(state, 0);
             }
             next = first_contact<alone>(frame, f, radius, again, ledger.out.counts);
-            if (inelastic) break;
+            if (inelastic) {
+                state.recent.add(0, wall.body, f.start);
+                break;
+            }
         }
         if (done == 0) return 0;
         state.flights[0] = f;

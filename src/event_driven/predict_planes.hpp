@@ -23,10 +23,15 @@ Key first_of_planes(const State& state, const Moving& sphere, Counts& counts)
                     state.scene.plane_body(static_cast<std::size_t>(flight.support))};
         }
     }
+    if (flight.mode == Mode::numeric)
+        best = {state.pieces.at(sphere.body).end, Scheduled::piece_end, sphere.body, sphere.body};
     const auto planes = static_cast<int>(state.scene.planes.size());
     counts.pair_tests += planes;
     for (int p = 0; p < planes; ++p) {
         if (p == flight.support || recedes(state, sphere, p)) continue;
+        if (flight.support == several_supports &&
+            state.contacts.between(sphere.body, state.scene.plane_body(static_cast<std::size_t>(p))))
+            continue;
         const PlaneMotion m = plane_motion(state, sphere, p);
         const Root root = gravity ? plane_root(m.h, m.w, m.g) : uniform_plane_root(m.h, m.w);
         if (root.kind == RootKind::none) continue;

@@ -55,6 +55,8 @@ Resolution resolve(const State& state, const Key& key, const Neighbourhood& neig
             return resolve_series_end(state, key);
         case Scheduled::intrusion:
             return resolve_intrusion(state, key);
+        case Scheduled::piece_end:
+            return coupled();
         case Scheduled::cell_crossing:
         case Scheduled::nothing:
             break;

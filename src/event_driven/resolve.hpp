@@ -8,7 +8,6 @@
 
 #include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace carom {
@@ -28,7 +27,8 @@ struct Resolution {
     Series series;           ///< of the one change whose flight is a series, if any
     Few<Event, 3> events;    ///< times and hash are the loop's business: only kind, a, b, normal, impulse
     double penetration = 0;  ///< of the contact at the instant of impact, >= 0 [length]
-    std::string unresolved;  ///< not empty: what carom cannot resolve, where and why
+    /// Not an event of one contact alone, and nothing of it has been carried out: see resolve_component.
+    bool coupled = false;
 };
 
 /// Carry out the event `key`, whose participants have not changed since it was predicted.

@@ -1,5 +1,6 @@
 #include "event_driven/low_bounce.hpp"
 #include "event_driven/motion.hpp"
+#include "event_driven/resolve_component.hpp"
 #include "event_driven/resolve_impact.hpp"
 #include "event_driven/simultaneous.hpp"
 #include "event_driven/support.hpp"
@@ -13,14 +14,13 @@ namespace carom {
 
 namespace {
 
-/// Why this impact is not one of a sphere and a plane alone; empty if it is.
-std::string why_coupled(const State& state, const Key& key, const Flight& f, const Neighbourhood& neighbourhood)
+/// Is this more than an impact of a sphere and a plane alone, or less: one without a rebound?
+bool is_coupled(const State& state, const Key& key, const Flight& f, const Vec3& normal,
+                const Neighbourhood& neighbourhood)
 {
-    if (belongs_to_previous_instant(state, key))
-        return several_contacts(pair_name(state, key.a, key.b), "another impact has just moved one of them");
-    const BodyId other = other_closing(state, Instant(state, key), f, key.a, key.b, neighbourhood);
-    if (other == no_body) return {};
-    return several_contacts(pair_name(state, key.a, key.b), pair_name(state, key.a, other) + " touch");
+    return f.support == several_supports || is_inelastic(state, key.a, key.b, -normal.dot(f.velocity), key.time) ||
+           belongs_to_previous_instant(state, key) ||
+           other_closed(state, Instant(state, key), f, key.a, key.b, neighbourhood);
 }
 
 }  // namespace
@@ -34,11 +34,11 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     Flown now = flown(state, id, key.time);
     Flight& f = now.flight;
     const bool certified = state.certified() && flies_freely(f);
-    out.unresolved = why_coupled(state, key, f, neighbourhood);
-    if (!out.unresolved.empty()) return out;
+    const Vec3 normal = facing_normal(state, plane, f.place);
+    out.coupled = is_coupled(state, key, f, normal, neighbourhood);
+    if (out.coupled) return out;
 
     const ContactLaw& law = state.laws.plane(sphere.material, state.plane(plane).material);
-    const Vec3 normal = facing_normal(state, plane, f.place);
     out.penetration = certified ? certified_penetration(state, now, id, plane)
                                 : std::max(0.0, -height_above(state, id, plane, f.place));
     const auto approaches = [&] {
@@ -55,22 +55,13 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     out.events.push_back(impact);
     const SupportAfterImpact support = keep_to_support(state, f);
     if (support == SupportAfterImpact::released) out.events.push_back(release_event(state, id, state.flight(id)));
-    if (support == SupportAfterImpact::pushed) {
-        out.unresolved = several_contacts(
-            pair_name(state, id, key.b),
-            pair_name(state, id, state.scene.plane_body(static_cast<std::size_t>(f.support))) + " are in contact");
-        return out;
-    }
+    if (support == SupportAfterImpact::pushed) return coupled();
     double nudge = 4 * unit_roundoff * std::sqrt(f.velocity.squaredNorm());
     for (int i = 0; i < most_nudges && approaches(); ++i, nudge *= 2) f.velocity += nudge * normal;
 
     const double w = normal.dot(f.velocity);
     const bool rests = is_rest(state.radius(id) + state.frame.cell_size, f.velocity, w, gravity);
-    if (rests && f.support >= 0) {
-        out.unresolved = state.scene.body_name(id) + " comes to rest on a second plane, " +
-                         state.scene.body_name(key.b) + ": contact with several planes is not resolved yet";
-        return out;
-    }
+    if (rests && f.support >= 0) return coupled();
     out.changes.push_back({id, f, now.low});
     Change& change = out.changes.front();
     if (rests) {

@@ -1,5 +1,6 @@
 #include "event_driven/certified_motion.hpp"
 #include "event_driven/motion.hpp"
+#include "event_driven/resolve_component.hpp"
 #include "event_driven/resolve_impact.hpp"
 #include "event_driven/simultaneous.hpp"
 #include "event_driven/support.hpp"
@@ -21,20 +22,22 @@ bool is_pressed(const State& state, BodyId a, BodyId b)
            pair_root(state, pair_motion(state, moving(state, a), moving(state, b))).kind == RootKind::pressed;
 }
 
-/// Why this impact is not one of two spheres alone; empty if it is.
-std::string why_coupled(const State& state, const Key& key, const Flight& a, const Flight& b,
-                        const Neighbourhood& neighbourhood)
+/// No rebound: the contact may persist.
+bool stays(const State& state, const Key& key, const Flight& a, const Flight& b, const Vec3& normal)
 {
-    if (belongs_to_previous_instant(state, key))
-        return several_contacts(pair_name(state, key.a, key.b), "another impact has just moved one of them");
+    const ContactLaw& law = state.law(key.a, key.b);
+    return law.restitution == 0 ||
+           (law.restitution < 1 && is_inelastic(state, key.a, key.b, -normal.dot(a.velocity - b.velocity), key.time));
+}
+
+/// Is this more than an impact of two spheres alone, or less: one without a rebound?
+bool is_coupled(const State& state, const Key& key, const Flight& a, const Flight& b, const Vec3& normal,
+                const Neighbourhood& neighbourhood)
+{
     const Instant instant(state, key);
-    BodyId body = key.a, other = other_closing(state, instant, a, key.a, key.b, neighbourhood);
-    if (other == no_body) {
-        body = key.b;
-        other = other_closing(state, instant, b, key.b, key.a, neighbourhood);
-    }
-    if (other == no_body) return {};
-    return several_contacts(pair_name(state, key.a, key.b), pair_name(state, body, other) + " touch");
+    return a.support == several_supports || b.support == several_supports || stays(state, key, a, b, normal) ||
+           belongs_to_previous_instant(state, key) || other_closed(state, instant, a, key.a, key.b, neighbourhood) ||
+           other_closed(state, instant, b, key.b, key.a, neighbourhood);
 }
 
 }  // namespace
@@ -47,12 +50,11 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
     const bool certified = state.certified() && is_certifiable(state, key.a, key.b);
     const Sphere &sa = state.sphere(key.a), &sb = state.sphere(key.b);
     const double inverse_a = state.inverse_mass(key.a), inverse_b = state.inverse_mass(key.b);
-    out.unresolved = why_coupled(state, key, a, b, neighbourhood);
-    if (!out.unresolved.empty()) return out;
-
     const Vec3 r = separation(state.frame, a.place, b.place);
     const double distance = std::sqrt(r.squaredNorm());
     const Vec3 normal = r / distance;
+    out.coupled = is_coupled(state, key, a, b, normal, neighbourhood);
+    if (out.coupled) return out;
     out.penetration = certified ? certified_penetration(state, now_a, key.a, now_b, key.b)
                                 : std::max(0.0, sa.radius + sb.radius - distance);
     const auto approach = [&] {
@@ -68,8 +70,7 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
         b.velocity = after.velocity_b;
         impact.impulse = after.impulse;
     } else if (is_pressed(state, key.a, key.b)) {
-        out.unresolved = pair_name(state, key.a, key.b) + " stay in contact: resting on spheres is not resolved yet";
-        return out;
+        return coupled();
     }
     out.events.push_back(impact);
 
@@ -77,13 +78,7 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
         const SupportAfterImpact support = keep_to_support(state, *flight);
         if (support == SupportAfterImpact::released)
             out.events.push_back(release_event(state, body, state.flight(body)));
-        if (support == SupportAfterImpact::pushed) {
-            out.unresolved = several_contacts(
-                pair_name(state, key.a, key.b),
-                pair_name(state, body, state.scene.plane_body(static_cast<std::size_t>(flight->support))) +
-                    " are in contact");
-            return out;
-        }
+        if (support == SupportAfterImpact::pushed) return coupled();
     }
     const double reduced_mass = 1 / (inverse_a + inverse_b);
     double nudge = 4 * unit_roundoff * speeds;

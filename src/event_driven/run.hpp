@@ -7,6 +7,7 @@
 #include "event_driven/ledger.hpp"
 #include "event_driven/motion.hpp"
 #include "event_driven/resolve.hpp"
+#include "event_driven/resolve_component.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -61,12 +62,10 @@ private:
     /// Contacts of the start take hold before anything is predicted.
     const State& begin()
     {
-        for (const Change& change : initial_contacts(state_)) {
-            state_.flights[static_cast<std::size_t>(change.body)] = change.flight;
-            if (state_.certified()) state_.low[static_cast<std::size_t>(change.body)] = change.low;
-            ledger_.out.rest_times[static_cast<std::size_t>(change.body)] = 0.0;
-        }
         ledger_.show_frame(state_);
+        for (const Change& change : initial_contacts(state_)) commit(change, {});
+        for (const ComponentResolution& component : begin_components(state_)) commit(component);
+        for (std::uint32_t& stamp : state_.stamps) stamp = 0;
         for (BodyId i = 0; i < state_.count(); ++i) ledger_.show_flight(state_, i);
         return state_;
     }
@@ -81,10 +80,10 @@ private:
                 return limits(key, rate_.accumulates(state_, {now_, key.kind, key.a, key.b}, key.a));
             }
         const Resolution resolution = resolve(state_, key, neighbourhood_);
-        if (!resolution.unresolved.empty()) return stop(Status::unresolved, resolution.unresolved);
+        if (resolution.coupled) return execute_component(key);
         for (const Change& change : resolution.changes) commit(change, resolution.series);
         ledger_.out.max_penetration = std::max(ledger_.out.max_penetration, resolution.penetration);
-        for (const Event& event : resolution.events) ledger_.report(state_, now_, event);
+        for (const Event& event : resolution.events) report(event);
         for (const Change& change : resolution.changes) ledger_.show_flight(state_, change.body);
         for (const Change& change : resolution.changes)
             schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
@@ -93,6 +92,30 @@ private:
             for (const Change& change : resolution.changes)
                 accumulate = rate_.accumulates(state_, key, change.body) || accumulate;
         return limits(key, accumulate);
+    }
+
+    /// An event of bodies in several contacts.
+    Status execute_component(const Key& key)
+    {
+        const ComponentResolution resolution = resolve_component(state_, key, neighbourhood_);
+        commit(resolution);
+        for (const MemberChange& change : resolution.changes) ledger_.show_flight(state_, change.body);
+        for (const MemberChange& change : resolution.changes)
+            schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
+        bool accumulate = false;
+        for (const Event& event : resolution.events)
+            if (event.kind == EventKind::impact)
+                for (const BodyId body : {event.a, event.b})
+                    if (!state_.is_plane(body))
+                        accumulate = rate_.accumulates(state_, {now_, key.kind, event.a, event.b}, body) || accumulate;
+        return limits(key, accumulate);
+    }
+
+    void report(const Event& event)
+    {
+        if (event.kind == EventKind::impact && state_.law(event.a, event.b).restitution < 1)
+            state_.recent.add(event.a, event.b, now_);
+        ledger_.report(state_, now_, event);
     }
 
     /// Nothing but an event changes what an observer would see until then.
@@ -110,12 +133,38 @@ private:
     void commit(const Change& change, const Series& series)
     {
         ledger_.account_for_support(state_, change.body, now_);
+        ledger_.note_mode(state_, change.body, change.flight.mode, now_);
         Flight& flight = state_.flights[static_cast<std::size_t>(change.body)];
         if (flight.mode == Mode::series) state_.series.erase(change.body);
         flight = change.flight;
         if (state_.certified()) state_.low[static_cast<std::size_t>(change.body)] = change.low;
         if (flight.mode == Mode::series) state_.series[change.body] = series;
         ++state_.stamps[static_cast<std::size_t>(change.body)];
+    }
+
+    void commit(const ComponentResolution& resolution)
+    {
+        for (const MemberChange& change : resolution.changes) {
+            ledger_.account_for_support(state_, change.body, now_);
+            ledger_.note_mode(state_, change.body, change.flight.mode, now_);
+        }
+        for (const MemberChange& change : resolution.changes) {
+            state_.series.erase(change.body);
+            state_.pieces.erase(change.body);
+            if (state_.accelerations.is_own(change.flight.acceleration))
+                state_.accelerations.set_own(change.body, change.acceleration);
+            if (change.flight.mode == Mode::numeric) state_.pieces[change.body] = change.piece;
+            state_.contacts.set(change.body, change.contacts, state_.count());
+            state_.flights[static_cast<std::size_t>(change.body)] = change.flight;
+            if (state_.certified()) state_.low[static_cast<std::size_t>(change.body)].setZero();
+            ++state_.stamps[static_cast<std::size_t>(change.body)];
+        }
+        Outcome& out = ledger_.out;
+        out.max_penetration = std::max(out.max_penetration, resolution.penetration);
+        out.counts.clusters += resolution.clustered ? 1 : 0;
+        out.counts.numeric_steps += resolution.numeric_steps;
+        ledger_.take(resolution.taken);
+        for (const Event& event : resolution.events) report(event);
     }
 
     Status limits(const Key& key, bool accumulate)
@@ -175,6 +224,10 @@ private:
         }
         for (BodyId i = 0; i < state_.count(); ++i) ledger_.account_for_support(state_, i, now_);
         Outcome& out = ledger_.out;
+        double moving = 0;
+        for (BodyId i = 0; i < state_.count(); ++i) moving += state_.is_fixed(i) ? 0 : 1;
+        out.body_seconds.closed_form =
+            moving * state_.frame.seconds(now_) - (out.body_seconds.numeric + out.body_seconds.guarded);
         out.status = status;
         out.time = state_.frame.seconds(now_);
         out.final = states_at(now_);

@@ -193,6 +193,7 @@ private:
             key = {state.frame.after(m.from, root.t), Scheduled::pair_impact, a, b};
         }
         ++counts.root_solves;
+        if (state.contacts.between(a, b)) return;  // it persists
         best.take(key, state.stamps[static_cast<std::size_t>(other)],
                   !exact && certified && is_certifiable(state, a, b));
     }

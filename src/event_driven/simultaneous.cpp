@@ -9,21 +9,22 @@ namespace carom {
 
 namespace {
 
-/// Does the contact, closed at this instant, close further? \pre a is a sphere; flights are of this instant.
-bool closing_contact(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
+/// Is the contact closed at this instant, and not opening? (One that opens would have to be closed again by the same
+/// instant to matter.) \pre a is a sphere; flights are of this instant.
+bool closed_contact(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
 {
     const double radius = std::min(state.radius(id_a), state.radius(id_b));
     const Vec3 r = separation(state.frame, a.place, b.place);
-    const double reach = state.radius(id_a) + state.radius(id_b) + tie_fraction * radius;
-    return r.squaredNorm() <= reach * reach && approach_sign(r, a.velocity - b.velocity) < 0;
+    const double reach = state.radius(id_a) + state.radius(id_b) + state.tie(radius);
+    return r.squaredNorm() <= reach * reach && approach_sign(r, a.velocity - b.velocity) <= 0;
 }
 
-bool closing_contact(const State& state, const Flight& a, BodyId id, int plane)
+bool closed_contact(const State& state, const Flight& a, BodyId id, int plane)
 {
     const Plane& p = state.plane(plane);
-    if (!p.thickness && p.normal.dot(a.velocity) >= 0) return false;  // the cheap half of the answer first
-    if (height_above(state, id, plane, a.place) > tie_fraction * state.radius(id)) return false;
-    return facing_normal(state, plane, a.place).dot(a.velocity) < 0;
+    if (!p.thickness && p.normal.dot(a.velocity) > 0) return false;  // the cheap half of the answer first
+    if (height_above(state, id, plane, a.place) > state.tie(state.radius(id))) return false;
+    return facing_normal(state, plane, a.place).dot(a.velocity) <= 0;
 }
 
 }  // namespace
@@ -48,16 +49,16 @@ bool Instant::is_that_of(BodyId body, BodyId other) const
     return !(its.t_hi < own.t_lo) && !(own.t_hi < its.t_lo);
 }
 
-BodyId other_closing(const State& state, const Instant& instant, const Flight& now, BodyId body, BodyId partner,
-                     const Neighbourhood& neighbourhood)
+bool other_closed(const State& state, const Instant& instant, const Flight& now, BodyId body, BodyId partner,
+                  const Neighbourhood& neighbourhood)
 {
-    if (now.mode == Mode::fixed) return no_body;  // contacts are linked through bodies that can move
-    BodyId found = no_body;
-    for (int p = 0; p < static_cast<int>(state.scene.planes.size()); ++p)
-        if (state.scene.plane_body(static_cast<std::size_t>(p)) != partner && p != now.support &&
-            closing_contact(state, now, body, p) &&
-            instant.is_that_of(body, state.scene.plane_body(static_cast<std::size_t>(p))))
-            found = state.scene.plane_body(static_cast<std::size_t>(p));
+    if (now.mode == Mode::fixed) return false;  // contacts are linked through bodies that can move
+    for (int p = 0; p < static_cast<int>(state.scene.planes.size()); ++p) {
+        const BodyId plane = state.scene.plane_body(static_cast<std::size_t>(p));
+        if (plane != partner && p != now.support && closed_contact(state, now, body, p) &&
+            instant.is_that_of(body, plane))
+            return true;
+    }
     for (const BodyId other : neighbourhood(body)) {
         if (other == partner) continue;
         const Flight& f = state.flight(other);
@@ -67,11 +68,11 @@ BodyId other_closing(const State& state, const Instant& instant, const Flight& n
         const Vec3 r = separation(state.frame, now.place, f.place) - shift;
         const double reach = state.radius(body) + state.radius(other);
         if (f.mode != Mode::series && r.squaredNorm() > 1.0001 * reach * reach) continue;
-        if (closing_contact(state, now, body, advanced(state, other, now.start), other) &&
+        if (closed_contact(state, now, body, advanced(state, other, now.start), other) &&
             instant.is_that_of(body, other))
-            found = other;
+            return true;
     }
-    return found;
+    return false;
 }
 
 bool belongs_to_previous_instant(const State& state, const Key& key)
@@ -83,25 +84,14 @@ bool belongs_to_previous_instant(const State& state, const Key& key)
     if (with_plane) {
         if (!changed(key.a) || recedes_at_start(state, a, state.plane_index(key.b))) return false;
         const PlaneMotion m = plane_motion(state, moving(state, key.a), state.plane_index(key.b));
-        return m.h <= tie_fraction * state.radius(key.a) && m.w < 0;
+        return m.h <= state.tie(state.radius(key.a)) && m.w < 0;
     }
     const Flight& b = state.flight(key.b);
     const BodyId later = a.start < b.start ? key.b : key.a;
     if (!changed(later)) return false;
     const PairMotion m = pair_motion(state, moving(state, key.a), moving(state, key.b));
-    const double reach = m.contact_distance + tie_fraction * std::min(state.radius(key.a), state.radius(key.b));
+    const double reach = m.contact_distance + state.tie(std::min(state.radius(key.a), state.radius(key.b)));
     return m.r.squaredNorm() <= reach * reach && approach_sign(m.r, m.v) < 0;
-}
-
-std::string pair_name(const State& state, BodyId a, BodyId b)
-{
-    return state.scene.body_name(a) + " and " + state.scene.body_name(b);
-}
-
-std::string several_contacts(const std::string& one, const std::string& other)
-{
-    return "several contacts close at one instant: " + one + " meet while " + other +
-           ", and impacts of more than one contact are not resolved yet";
 }
 
 }  // namespace carom

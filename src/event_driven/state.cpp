@@ -20,7 +20,13 @@ Vec3 lost_by(const Frame& frame, const Place& place, const Vec3& position)
 }  // namespace
 
 State::State(const Scene& s, bool certified)
-    : scene(s), frame(make_frame(s)), accelerations(s), laws(s), rest(rest_thresholds(s)), stamps(s.spheres.size(), 0)
+    : scene(s),
+      frame(make_frame(s)),
+      accelerations(s),
+      laws(s),
+      rest(rest_thresholds(s)),
+      stamps(s.spheres.size(), 0),
+      recent(frame, rest.window, s.spheres.size())
 {
     flights.reserve(s.spheres.size());
     radii.reserve(s.spheres.size());

@@ -3,6 +3,9 @@
 /// run needs.
 #pragma once
 
+#include "contact/numeric_cluster.hpp"
+#include "contact/persistent_contacts.hpp"
+#include "contact/recent_impacts.hpp"
 #include "contact/series.hpp"
 #include "flight/flight.hpp"
 #include "impact/contact_laws.hpp"
@@ -10,10 +13,25 @@
 #include <carom/features.hpp>
 #include <carom/simulate.hpp>
 
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
 namespace carom {
+
+/// A flight of mode numeric: one step of a numeric cluster, or a window of the guard.
+struct Piece {
+    EpochTime end;
+    /// Of which the body is one, as the step began, and the step; null in a window of the guard.
+    std::shared_ptr<const NumericCluster> cluster;
+    std::shared_ptr<const NumericStep> step;
+    int index = 0;  ///< of the body in the cluster
+    Place centre;   ///< to which the cluster's positions are relative
+};
+
+/// Two contacts whose gaps close within this fraction of the radius belong to one instant, unless the scene says
+/// otherwise.
+inline constexpr double default_tie = 1e-12;
 
 struct State {
     /// \param certified keep the low parts of places
@@ -32,6 +50,9 @@ struct State {
     std::vector<Vec3> low;
     std::vector<std::uint32_t> stamps;  ///< by body: grows with each change of its flight; 0 = as the scene began
     std::unordered_map<BodyId, Series> series;  ///< of the bodies whose mode says so, nobody else
+    std::unordered_map<BodyId, Piece> pieces;   ///< of the bodies whose mode is numeric, nobody else
+    PersistentContacts contacts;                ///< of the bodies whose support is several_supports
+    RecentImpacts recent;                       ///< of contacts with e < 1
 
     const Sphere& sphere(BodyId body) const { return scene.spheres[static_cast<std::size_t>(body)]; }
     const Plane& plane(int p) const { return scene.planes[static_cast<std::size_t>(p)]; }
@@ -44,9 +65,15 @@ struct State {
     bool certified() const { return !low.empty(); }
     bool is_plane(BodyId body) const { return body >= count(); }
     int plane_index(BodyId body) const { return body - count(); }
+    /// The law of a contact of sphere `a` with `b`, a sphere or a plane.
+    const ContactLaw& law(BodyId a, BodyId b) const
+    {
+        const int material = sphere(a).material;
+        return is_plane(b) ? laws.plane(material, plane(plane_index(b)).material)
+                           : laws.spheres(material, sphere(b).material);
+    }
+    /// Contacts with gaps up to this belong to the instant of another [length]. \param radius the smaller one
+    double tie(double radius) const { return scene.impact.tie.value_or(default_tie) * radius; }
 };
-
-/// Two contacts whose gaps close within this fraction of the radius belong to one instant.
-inline constexpr double tie_fraction = 1e-12;
 
 }  // namespace carom

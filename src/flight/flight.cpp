@@ -16,6 +16,7 @@ Accelerations::Accelerations(const Scene& scene) : has_gravity_(!scene.gravity.i
         if (length(along) <= 8 * unit_roundoff * g) along = Vec3::Zero();
         table_.push_back(along);
     }
+    shared_ = static_cast<AccelerationId>(table_.size());
 }
 
 }  // namespace carom

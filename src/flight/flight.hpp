@@ -5,6 +5,8 @@
 
 #include "flight/frame.hpp"
 
+#include <carom/flight.hpp>
+
 #include <vector>
 
 namespace carom {
@@ -12,7 +14,8 @@ namespace carom {
 /// "Same acceleration" is a question of ids, never a comparison of floats.
 using AccelerationId = std::int32_t;
 
-/// The accelerations that occur in a run: none, gravity, and gravity along each plane for what rests or slides on it.
+/// The accelerations that occur in a run: none, gravity, gravity along each plane for what rests or slides on it, and
+/// for each body one of its own, for what several contacts push.
 class Accelerations {
 public:
     explicit Accelerations(const Scene& scene);
@@ -21,12 +24,23 @@ public:
     AccelerationId free() const { return has_gravity_ ? 1 : none; }
     AccelerationId along(int plane) const { return has_gravity_ ? plane + 2 : none; }
 
-    AccelerationId count() const { return static_cast<AccelerationId>(table_.size()); }
+    AccelerationId own(BodyId body) const { return shared_ + body; }
+    bool is_own(AccelerationId id) const { return id >= shared_; }
+    void set_own(BodyId body, const Vec3& value)
+    {
+        const auto at = static_cast<std::size_t>(own(body));
+        if (table_.size() <= at) table_.resize(at + 1, Vec3::Zero());
+        table_[at] = value;
+    }
+
+    /// Those that do not belong to one body.
+    AccelerationId shared() const { return shared_; }
     bool has_gravity() const { return has_gravity_; }
     const Vec3& operator[](AccelerationId id) const { return table_[static_cast<std::size_t>(id)]; }
 
 private:
     bool has_gravity_;
+    AccelerationId shared_ = 1;
     std::vector<Vec3> table_;  ///< [length/time^2]
 };
 
@@ -35,7 +49,9 @@ struct Flight {
     Place place;                   ///< at start
     Vec3 velocity = Vec3::Zero();  ///< at start [length/time]
     AccelerationId acceleration = Accelerations::none;
-    std::int32_t support = -1;  ///< plane that carries a series, a slide or a rest; -1 in free flight
+    /// Plane that carries a series, a slide or a rest; -1 in free flight; several_supports where spheres or several
+    /// planes do, see State::contacts.
+    std::int32_t support = -1;
     Mode mode = Mode::flying;
 };
 

@@ -14,6 +14,7 @@ enum class Scheduled : std::uint8_t {
     plane_impact,   ///< sphere a, plane body b
     series_end,     ///< sphere a comes to rest on plane body b
     intrusion,      ///< a sphere reaches the swept ball of a series; a < b
+    piece_end,      ///< a numeric step or a window of sphere a ends; b = a
     cell_crossing,  ///< sphere a leaves its grid cell
     nothing         ///< an idle slot
 };

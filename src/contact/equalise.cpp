@@ -1,0 +1,104 @@
+#include "contact/equalise.hpp"
+
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+using Numbers = std::vector<double>;
+using Vectors = std::vector<Vec3>;
+
+double square(const Numbers& x)
+{
+    double sum = 0;
+    for (const double each : x) sum += each * each;
+    return sum;
+}
+
+double square(const Vectors& x)
+{
+    double sum = 0;
+    for (const Vec3& each : x) sum += each.squaredNorm();
+    return sum;
+}
+
+/// The contacts in mass-scaled coordinates, each row of unit length.
+class Rows {
+public:
+    explicit Rows(const Cluster& cluster) : cluster_(cluster)
+    {
+        for (const ClusterBody& body : cluster.bodies) lightness_.push_back(std::sqrt(body.inverse_mass));
+        for (const ClusterContact& c : cluster.contacts) {
+            const double of_b = c.b == immovable ? 0 : cluster.bodies[static_cast<std::size_t>(c.b)].inverse_mass;
+            const double of_a = cluster.bodies[static_cast<std::size_t>(c.a)].inverse_mass;
+            scale_.push_back(1 / std::sqrt(c.normal.squaredNorm() * (of_a + of_b)));
+        }
+    }
+
+    double scale(std::size_t contact) const { return scale_[contact]; }
+    double lightness(std::size_t body) const { return lightness_[body]; }
+
+    Numbers times(const Vectors& u) const
+    {
+        Numbers out;
+        for (std::size_t i = 0; i < scale_.size(); ++i) {
+            const ClusterContact& c = cluster_.contacts[i];
+            const auto a = static_cast<std::size_t>(c.a);
+            double rate = lightness_[a] * c.normal.dot(u[a]);
+            if (c.b != immovable) {
+                const auto b = static_cast<std::size_t>(c.b);
+                rate -= lightness_[b] * c.normal.dot(u[b]);
+            }
+            out.push_back(scale_[i] * rate);
+        }
+        return out;
+    }
+
+    Vectors transposed_times(const Numbers& x) const
+    {
+        Vectors out(lightness_.size(), Vec3::Zero());
+        for (std::size_t i = 0; i < scale_.size(); ++i) {
+            const ClusterContact& c = cluster_.contacts[i];
+            const auto a = static_cast<std::size_t>(c.a);
+            out[a] += (lightness_[a] * scale_[i] * x[i]) * c.normal;
+            if (c.b == immovable) continue;
+            const auto b = static_cast<std::size_t>(c.b);
+            out[b] -= (lightness_[b] * scale_[i] * x[i]) * c.normal;
+        }
+        return out;
+    }
+
+private:
+    const Cluster& cluster_;
+    Numbers lightness_, scale_;
+};
+
+}  // namespace
+
+std::vector<Vec3> equalising_change(const Cluster& cluster, std::span<const double> wanted)
+{
+    const Rows rows(cluster);
+    Numbers residual;
+    for (std::size_t i = 0; i < wanted.size(); ++i) residual.push_back(rows.scale(i) * wanted[i]);
+    Vectors u(cluster.bodies.size(), Vec3::Zero());
+    Vectors direction = rows.transposed_times(residual);
+    double size = square(direction);
+    const double enough = 0x1p-106 * square(residual);  // squares: the rounding of what is wanted
+    const std::size_t most = 20 + 2 * (wanted.size() + 3 * u.size());
+    for (std::size_t step = 0; step < most && size > enough; ++step) {
+        const Numbers image = rows.times(direction);
+        const double length = size / square(image);
+        if (!std::isfinite(length)) break;
+        for (std::size_t k = 0; k < u.size(); ++k) u[k] += length * direction[k];
+        for (std::size_t i = 0; i < residual.size(); ++i) residual[i] -= length * image[i];
+        const Vectors gradient = rows.transposed_times(residual);
+        const double next = square(gradient), ratio = next / size;
+        for (std::size_t k = 0; k < u.size(); ++k) direction[k] = gradient[k] + ratio * direction[k];
+        size = next;
+    }
+    for (std::size_t k = 0; k < u.size(); ++k) u[k] *= rows.lightness(k);
+    return u;
+}
+
+}  // namespace carom

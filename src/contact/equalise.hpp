@@ -1,0 +1,16 @@
+/// \file
+/// The smallest change of velocities (or places) in the mass metric that gives contacts the rates (or gaps) wanted.
+#pragma once
+
+#include "impact/cluster.hpp"
+
+#include <span>
+
+namespace carom {
+
+/// Change by body: min sum m |d|^2 with n_i.(d_a - d_b) = wanted_i for all contacts, in the sense of least squares
+/// where contacts contradict one another. CGLS (Hestenes and Stiefel 1952; Bjoerck, Numerical Methods for Least Squares
+/// Problems, 1996, section 7.4), which redundant contacts do no harm; work is bounded.
+std::vector<Vec3> equalising_change(const Cluster& cluster, std::span<const double> wanted);
+
+}  // namespace carom

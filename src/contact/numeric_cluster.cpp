@@ -1,0 +1,163 @@
+#include "contact/numeric_cluster.hpp"
+
+#include "contact/equalise.hpp"
+#include "impact/contact_forces.hpp"
+
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+using Bodies = std::vector<NumericBody>;
+
+struct Geometry {
+    Vec3 normal;
+    double gap;        ///< [length]
+    double curvature;  ///< |w_t|^2 / distance [length/time^2]
+};
+
+Geometry geometry(const NumericContact& c, const Bodies& bodies)
+{
+    const NumericBody& a = bodies[static_cast<std::size_t>(c.a)];
+    if (c.plane) return {c.centre, c.centre.dot(a.position) - c.reach, 0};
+    const bool alone = c.b == immovable;
+    const Vec3 r = a.position - (alone ? c.centre : bodies[static_cast<std::size_t>(c.b)].position);
+    const Vec3 w = alone ? a.velocity : Vec3(a.velocity - bodies[static_cast<std::size_t>(c.b)].velocity);
+    const double distance = std::sqrt(r.squaredNorm());
+    const Vec3 normal = r / distance;
+    return {normal, distance - c.reach, (w - w.dot(normal) * normal).squaredNorm() / distance};
+}
+
+/// Contacts as they stand, with a velocity for each body.
+Cluster contacts_at(const NumericCluster& cluster, const Bodies& bodies, std::vector<double>* curvature)
+{
+    Cluster out;
+    for (const NumericBody& b : bodies) out.bodies.push_back({b.velocity, b.inverse_mass});
+    for (const NumericContact& c : cluster.contacts) {
+        const Geometry g = geometry(c, bodies);
+        out.contacts.push_back({c.a, c.b, g.normal, 0, 1});
+        if (curvature) curvature->push_back(g.curvature);
+    }
+    return out;
+}
+
+ContactForces forces_at(const NumericCluster& cluster, const Bodies& bodies)
+{
+    std::vector<double> curvature;
+    Cluster problem = contacts_at(cluster, bodies, &curvature);
+    for (ClusterBody& body : problem.bodies) body.velocity = cluster.gravity;
+    return solve_contact_forces(problem, curvature);
+}
+
+/// `from` moved by a rate that `at` has, for dt.
+Bodies moved(const Bodies& from, const Bodies& at, const ContactForces& rate, double dt)
+{
+    Bodies out = from;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        out[i].position += dt * at[i].velocity;
+        out[i].velocity += dt * rate.accelerations[i];
+    }
+    return out;
+}
+
+struct RungeKutta {
+    Bodies bodies;
+    std::vector<double> forces;  ///< mean
+    ContactForces at_end;
+};
+
+RungeKutta runge_kutta(const NumericCluster& cluster, const ContactForces& k1, double h)
+{
+    const Bodies& y1 = cluster.bodies;
+    const Bodies y2 = moved(y1, y1, k1, h / 2);
+    const ContactForces k2 = forces_at(cluster, y2);
+    const Bodies y3 = moved(y1, y2, k2, h / 2);
+    const ContactForces k3 = forces_at(cluster, y3);
+    const Bodies y4 = moved(y1, y3, k3, h);
+    const ContactForces k4 = forces_at(cluster, y4);
+    RungeKutta out{y1, {}, {}};
+    for (std::size_t i = 0; i < y1.size(); ++i) {
+        out.bodies[i].position += h / 6 * ((y1[i].velocity + y4[i].velocity) + 2 * (y2[i].velocity + y3[i].velocity));
+        out.bodies[i].velocity +=
+            h / 6 * ((k1.accelerations[i] + k4.accelerations[i]) + 2 * (k2.accelerations[i] + k3.accelerations[i]));
+    }
+    for (std::size_t i = 0; i < cluster.contacts.size(); ++i)
+        out.forces.push_back(((k1.forces[i] + k4.forces[i]) + 2 * (k2.forces[i] + k3.forces[i])) / 6);
+    out.at_end = forces_at(cluster, out.bodies);
+    return out;
+}
+
+bool opens(const NumericCluster& cluster, const ContactForces& forces)
+{
+    for (std::size_t i = 0; i < cluster.contacts.size(); ++i)
+        if (cluster.contacts[i].carries && forces.gap_rates[i] > cluster.opening) return true;
+    return false;
+}
+
+double energy(const NumericCluster& cluster, const Bodies& bodies)
+{
+    double sum = 0;
+    for (const NumericBody& b : bodies)
+        sum += (b.velocity.squaredNorm() / 2 - cluster.gravity.dot(b.position)) / b.inverse_mass;
+    return sum;
+}
+
+/// Gaps and rates of what still carries, back to 0.
+void put_back(const NumericCluster& cluster, RungeKutta& end)
+{
+    for (const bool gaps : {true, false}) {
+        Cluster problem = contacts_at(cluster, end.bodies, nullptr);
+        Cluster carrying{problem.bodies, {}};
+        std::vector<double> wanted;
+        for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
+            if (!(end.at_end.forces[i] > 0)) continue;
+            carrying.contacts.push_back(problem.contacts[i]);
+            const NumericContact& c = cluster.contacts[i];
+            const auto a = static_cast<std::size_t>(c.a);
+            const Vec3 relative =
+                c.b == immovable ? end.bodies[a].velocity
+                                 : Vec3(end.bodies[a].velocity - end.bodies[static_cast<std::size_t>(c.b)].velocity);
+            wanted.push_back(gaps ? -geometry(c, end.bodies).gap : -problem.contacts[i].normal.dot(relative));
+        }
+        if (wanted.empty()) return;
+        const std::vector<Vec3> change = equalising_change(carrying, wanted);
+        for (std::size_t k = 0; k < change.size(); ++k)
+            (gaps ? end.bodies[k].position : end.bodies[k].velocity) += change[k];
+    }
+}
+
+}  // namespace
+
+NumericStep numeric_step(const NumericCluster& cluster, double h, bool find_opening)
+{
+    const ContactForces start = forces_at(cluster, cluster.bodies);
+    RungeKutta end = runge_kutta(cluster, start, h);
+    NumericStep out;
+    out.duration = h;
+    if (find_opening && opens(cluster, end.at_end)) {
+        out.opens = true;
+        double closed = 0, open = h;
+        constexpr int halvings = 50;
+        for (int i = 0; i < halvings; ++i) {
+            const double middle = (closed + open) / 2;
+            if (!(closed < middle && middle < open)) break;
+            RungeKutta tried = runge_kutta(cluster, start, middle);
+            if (!opens(cluster, tried.at_end)) {
+                closed = middle;
+                continue;
+            }
+            open = middle;
+            end = std::move(tried);
+        }
+        out.duration = open;
+    }
+    const double before = energy(cluster, cluster.bodies);
+    put_back(cluster, end);
+    out.correction = before - energy(cluster, end.bodies);
+    out.bodies = std::move(end.bodies);
+    out.forces = std::move(end.forces);
+    return out;
+}
+
+}  // namespace carom

@@ -1,0 +1,48 @@
+/// \file
+/// Bodies in contacts that carry force while their normals turn: no closed form, integrated in small steps.
+#pragma once
+
+#include "impact/cluster.hpp"
+
+#include <vector>
+
+namespace carom {
+
+/// Positions are relative to a point near the cluster.
+struct NumericBody {
+    Vec3 position = Vec3::Zero();  ///< [length]
+    Vec3 velocity = Vec3::Zero();  ///< [length/time]
+    double inverse_mass = 1;       ///< > 0 [1/mass]
+};
+
+/// A persistent contact with another body of the cluster, a fixed sphere or a plane.
+struct NumericContact {
+    int a = 0;
+    int b = immovable;
+    bool plane = false;          ///< `centre` is a normal, unit to rounding, `reach` a height along it
+    Vec3 centre = Vec3::Zero();  ///< of a fixed sphere [length]
+    double reach = 0;            ///< r_a + r_b, or where the centre is when in contact with the plane [length]
+    bool carries = true;         ///< it carried force when the step began
+};
+
+struct NumericCluster {
+    std::vector<NumericBody> bodies;
+    std::vector<NumericContact> contacts;
+    Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
+    double opening = 0;           ///< a contact opens at gap rates (d2 gap/dt2) above this, > 0 [length/time^2]
+};
+
+/// One step of the classical Runge-Kutta method of order 4 with the complementarity problem of the contact forces at
+/// each stage, then gaps and closing rates of contacts that carry force put back to 0 (both: this project; the
+/// formulation is that of Baraff 1989 without friction). The error of a step is of order h^5 while no contact opens.
+struct NumericStep {
+    double duration = 0;  ///< up to `h`, or less: until a contact that carried force opens [time]
+    bool opens = false;
+    std::vector<NumericBody> bodies;  ///< at its end
+    std::vector<double> forces;       ///< by contact, mean over the step [mass length/time^2]
+    double correction = 0;            ///< energy that putting back took [energy]
+};
+/// \param h > 0 [time]; \param find_opening look for the first moment at which a contact opens, by bisection
+NumericStep numeric_step(const NumericCluster& cluster, double h, bool find_opening);
+
+}  // namespace carom

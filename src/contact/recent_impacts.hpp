@@ -1,0 +1,54 @@
+/// \file
+/// When contacts closed last: one that closed less than tau_p ago and closes again is inelastic.
+#pragma once
+
+#include "flight/frame.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+
+namespace carom {
+
+class RecentImpacts {
+public:
+    /// \param window tau_p >= 0 [time] \param bodies spheres of the run: the memory is a small multiple of them
+    RecentImpacts(const Frame& frame, double window, std::size_t bodies)
+        : frame_(frame), window_(window), most_(least + 8 * bodies)
+    {
+    }
+
+    bool has(BodyId a, BodyId b, const EpochTime& now) const
+    {
+        const auto found = last_.find(pair(a, b));
+        return found != last_.end() && frame_.between(found->second, now) < window_;
+    }
+    void add(BodyId a, BodyId b, const EpochTime& now)
+    {
+        if (last_.size() >= most_) forget(now);
+        last_[pair(a, b)] = now;
+    }
+
+private:
+    static constexpr std::size_t least = 1024;
+
+    static std::uint64_t pair(BodyId a, BodyId b)
+    {
+        const auto low = static_cast<std::uint32_t>(a < b ? a : b), high = static_cast<std::uint32_t>(a < b ? b : a);
+        return (std::uint64_t{high} << 32) | low;
+    }
+    /// What is older than the window. Should it all be younger, there are more closings within it than the guard lets
+    /// pass, and the memory grows.
+    void forget(const EpochTime& now)
+    {
+        std::erase_if(last_, [&](const auto& entry) { return !(frame_.between(entry.second, now) < window_); });
+        if (2 * last_.size() > most_) most_ *= 2;
+    }
+
+    Frame frame_;
+    double window_;
+    std::size_t most_;
+    std::unordered_map<std::uint64_t, EpochTime> last_;
+};
+
+}  // namespace carom

@@ -1,0 +1,285 @@
+#include "event_driven/component.hpp"
+
+#include "event_driven/motion.hpp"
+#include "event_driven/piece.hpp"
+#include "event_driven/simultaneous.hpp"
+#include "scene/sphere_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <unordered_set>
+
+namespace carom {
+
+namespace {
+
+/// A gap within this fraction of the smaller radius is a contact that the scene declares.
+constexpr double declared = 1e-9;
+
+double smaller_radius(const State& state, BodyId a, BodyId b)
+{
+    return state.is_plane(b) ? state.radius(a) : std::min(state.radius(a), state.radius(b));
+}
+
+bool comes_first(const Touch& x, const Touch& y)
+{
+    return std::tie(x.a, x.b) < std::tie(y.a, y.b);
+}
+
+/// Contact of two bodies, of which `a` can move, at these flights of one instant.
+Touch touch(const State& state, BodyId a, const Flight& fa, BodyId b, const Flight* fb)
+{
+    Touch out{a, b, Vec3::Zero(), 0, false};
+    if (state.is_plane(b)) {
+        const int p = state.plane_index(b);
+        out.normal = facing_normal(state, p, fa.place);
+        out.gap = height_above(state, a, p, fa.place);
+        return out;
+    }
+    const Vec3 r = separation(state.frame, fa.place, fb->place);
+    const double distance = std::sqrt(r.squaredNorm());
+    out.normal = r / distance;
+    out.gap = distance - (state.radius(a) + state.radius(b));
+    return out;
+}
+
+/// Walks along closed contacts, from body to body.
+class Walk {
+public:
+    Walk(const State& state, const Key& key, const Neighbourhood& neighbourhood)
+        : state_(state), key_(key), instant_(state, key), neighbourhood_(neighbourhood)
+    {
+        const bool impact = key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact;
+        ties_ = impact;
+    }
+
+    Component go()
+    {
+        if (ties_) found_.insert(pair(key_.a, key_.b));
+        enter(key_.a);
+        if (!state_.is_plane(key_.b)) enter(key_.b);
+        while (!frontier_.empty()) {
+            const BodyId body = frontier_.back();
+            frontier_.pop_back();
+            look_around(body);
+        }
+        Component out;
+        for (const auto& [body, flight] : members_) {
+            out.bodies.push_back(body);
+            out.flights.push_back(flight);
+        }
+        for (const auto& [a, b] : found_) out.contacts.push_back(closed(a, b));
+        std::sort(out.contacts.begin(), out.contacts.end(), comes_first);
+        return out;
+    }
+
+private:
+    using Pair = std::pair<BodyId, BodyId>;
+
+    Pair pair(BodyId a, BodyId b) const
+    {
+        if (state_.is_plane(b)) return {a, b};
+        if (state_.is_fixed(b)) return {a, b};
+        if (state_.is_fixed(a)) return {b, a};
+        return {std::min(a, b), std::max(a, b)};
+    }
+
+    void enter(BodyId body)
+    {
+        if (state_.is_fixed(body) || members_.contains(body)) return;
+        members_.emplace(body, flight_at(state_, body, key_.time));
+        frontier_.push_back(body);
+    }
+
+    const Flight& flight(BodyId body)
+    {
+        const auto member = members_.find(body);
+        if (member != members_.end()) return member->second;
+        const auto other = others_.find(body);
+        if (other != others_.end()) return other->second;
+        return others_.emplace(body, flight_at(state_, body, key_.time)).first->second;
+    }
+
+    Touch closed(BodyId a, BodyId b)
+    {
+        Touch out = touch(state_, a, flight(a), b, state_.is_plane(b) ? nullptr : &flight(b));
+        out.persistent =
+            state_.contacts.between(a, b) || (state_.is_plane(b) && state_.flight(a).mode != Mode::series &&
+                                              state_.flight(a).support == state_.plane_index(b));
+        return out;
+    }
+
+    void take(BodyId body, BodyId other)
+    {
+        if (found_.insert(pair(body, other)).second && !state_.is_plane(other)) enter(other);
+    }
+
+    void look_around(BodyId body)
+    {
+        const Flight& own = state_.flight(body);
+        if (own.mode != Mode::series && own.support >= 0)
+            take(body, state_.scene.plane_body(static_cast<std::size_t>(own.support)));
+        for (const PersistentContact& c : state_.contacts.of(body))
+            if (closed(pair(body, c.partner).first, pair(body, c.partner).second).gap <=
+                persistence_gap(state_, body, c.partner))
+                take(body, c.partner);
+        if (!ties_) return;
+        for (std::size_t p = 0; p < state_.scene.planes.size(); ++p) take_tie(body, state_.scene.plane_body(p));
+        const auto near = neighbourhood_(body);
+        const std::vector<BodyId> others(near.begin(), near.end());
+        for (const BodyId other : others) take_tie(body, other);
+    }
+
+    void take_tie(BodyId body, BodyId other)
+    {
+        const auto [a, b] = pair(body, other);
+        if (found_.contains({a, b}) || (!state_.is_plane(other) && !may_touch(body, other))) return;
+        if (closed(a, b).gap <= state_.tie(smaller_radius(state_, a, b)) && instant_.is_that_of(a, b))
+            take(body, other);
+    }
+
+    /// A cheap look first: nothing beyond a generous ball can touch.
+    bool may_touch(BodyId body, BodyId other)
+    {
+        const Flight& f = state_.flight(other);
+        if (f.mode == Mode::series || f.mode == Mode::numeric) return true;
+        const Flight& now = flight(body);
+        const double dt = state_.frame.between(f.start, key_.time);
+        const Vec3 shift = displacement(f.velocity, state_.accelerations[f.acceleration], dt);
+        const Vec3 r = separation(state_.frame, now.place, f.place) - shift;
+        const double reach = state_.radius(body) + state_.radius(other);
+        return r.squaredNorm() <= 1.0001 * reach * reach;
+    }
+
+    struct PairHash {
+        std::size_t operator()(const Pair& p) const
+        {
+            return std::hash<std::uint64_t>()((static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.first)) << 32) |
+                                              static_cast<std::uint32_t>(p.second));
+        }
+    };
+
+    const State& state_;
+    const Key& key_;
+    Instant instant_;
+    const Neighbourhood& neighbourhood_;
+    bool ties_ = false;  ///< contacts may close at this very instant
+    std::map<BodyId, Flight> members_;
+    std::unordered_map<BodyId, Flight> others_;
+    std::unordered_set<Pair, PairHash> found_;
+    std::vector<BodyId> frontier_;
+};
+
+/// Every contact that the scene declares.
+std::vector<Touch> declared_contacts(const State& state)
+{
+    std::vector<Touch> found;
+    const auto spheres = static_cast<std::size_t>(state.count());
+    for (BodyId a = 0; a < state.count(); ++a) {
+        if (state.is_fixed(a)) continue;
+        for (std::size_t p = 0; p < state.scene.planes.size(); ++p) {
+            const Touch t = touch(state, a, state.flight(a), state.scene.plane_body(p), nullptr);
+            if (std::abs(t.gap) <= declared * state.radius(a)) found.push_back(t);
+        }
+    }
+    SphereGrid grid;
+    for (const std::size_t i : largest_first(state.radii)) {
+        const auto own = static_cast<BodyId>(i);
+        grid.visit_near(state.scene.spheres[i].position, state.radii[i], [&](std::size_t j) {
+            auto a = std::min(own, static_cast<BodyId>(j)), b = std::max(own, static_cast<BodyId>(j));
+            if (state.is_fixed(a) && state.is_fixed(b)) return true;
+            if (state.is_fixed(a)) std::swap(a, b);
+            const Touch t = touch(state, a, state.flight(a), b, &state.flight(b));
+            if (std::abs(t.gap) <= declared * smaller_radius(state, a, b)) found.push_back(t);
+            return true;
+        });
+        if (i < spheres) grid.insert(i, state.scene.spheres[i].position, state.radii[i]);
+    }
+    for (Touch& t : found) t.persistent = true;
+    std::sort(found.begin(), found.end(), comes_first);
+    return found;
+}
+
+/// Each body that can move, with the number of its component: the smallest body in it.
+std::vector<BodyId> smallest_of_component(const State& state, const std::vector<Touch>& contacts)
+{
+    std::vector<BodyId> parent(static_cast<std::size_t>(state.count()));
+    for (BodyId i = 0; i < state.count(); ++i) parent[static_cast<std::size_t>(i)] = i;
+    const auto root = [&](BodyId i) {
+        while (parent[static_cast<std::size_t>(i)] != i) {
+            BodyId& up = parent[static_cast<std::size_t>(i)];
+            up = parent[static_cast<std::size_t>(up)];
+            i = up;
+        }
+        return i;
+    };
+    for (const Touch& t : contacts) {
+        if (state.is_plane(t.b) || state.is_fixed(t.b)) continue;
+        const BodyId x = root(t.a), y = root(t.b);
+        parent[static_cast<std::size_t>(std::max(x, y))] = std::min(x, y);
+    }
+    for (BodyId i = 0; i < state.count(); ++i) parent[static_cast<std::size_t>(i)] = root(i);
+    return parent;
+}
+
+}  // namespace
+
+int Component::index_of(BodyId body) const
+{
+    const auto found = std::lower_bound(bodies.begin(), bodies.end(), body);
+    return found == bodies.end() || *found != body ? immovable : static_cast<int>(found - bodies.begin());
+}
+
+double persistence_gap(const State& state, BodyId a, BodyId b)
+{
+    return std::max(state.rest.gap_tolerance, declared * smaller_radius(state, a, b));
+}
+
+Component gather(const State& state, const Key& contact, const Neighbourhood& neighbourhood)
+{
+    return Walk(state, contact, neighbourhood).go();
+}
+
+std::vector<Component> declared_components(const State& state)
+{
+    const std::vector<Touch> contacts = declared_contacts(state);
+    if (contacts.empty()) return {};
+    const std::vector<BodyId> number = smallest_of_component(state, contacts);
+    std::map<BodyId, Component> found;
+    for (const Touch& t : contacts) found[number[static_cast<std::size_t>(t.a)]].contacts.push_back(t);
+    for (BodyId i = 0; i < state.count(); ++i) {
+        const auto its = found.find(number[static_cast<std::size_t>(i)]);
+        if (its == found.end() || state.is_fixed(i)) continue;
+        its->second.bodies.push_back(i);
+        its->second.flights.push_back(state.flight(i));
+    }
+    std::vector<Component> out;
+    for (auto& [smallest, component] : found) {
+        const bool alone = component.contacts.size() == 1 && state.is_plane(component.contacts.front().b);
+        if (!alone) out.push_back(std::move(component));
+    }
+    return out;
+}
+
+Event event_between(EventKind kind, const Touch& t, const Vec3& impulse)
+{
+    if (t.a < t.b) return {kind, {}, 0, t.a, t.b, t.normal, impulse};
+    return {kind, {}, 0, t.b, t.a, -t.normal, -impulse};
+}
+
+Cluster cluster_of(const State& state, const Component& component)
+{
+    Cluster out;
+    for (std::size_t i = 0; i < component.bodies.size(); ++i)
+        out.bodies.push_back({component.flights[i].velocity, state.inverse_mass(component.bodies[i])});
+    for (const Touch& t : component.contacts) {
+        const ContactLaw& law = state.law(t.a, t.b);
+        out.contacts.push_back(
+            {component.index_of(t.a), component.index_of(t.b), t.normal, law.restitution, law.tangential});
+    }
+    return out;
+}
+
+}  // namespace carom

@@ -1,0 +1,319 @@
+#include "event_driven/hold_component.hpp"
+
+#include "contact/equalise.hpp"
+#include "event_driven/motion.hpp"
+#include "event_driven/numeric_motion.hpp"
+#include "event_driven/support.hpp"
+#include "impact/contact_forces.hpp"
+#include "math/length.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+double largest_speed(const Component& component)
+{
+    double largest = 0;
+    for (const Flight& f : component.flights) largest = std::max(largest, f.velocity.squaredNorm());
+    return std::sqrt(largest);
+}
+
+class Holder {
+public:
+    Holder(const State& state, Component component, const EpochTime& now)
+        : state_(state),
+          component_(std::move(component)),
+          now_(now),
+          gravity_(state.accelerations[state.accelerations.free()]),
+          slow_(std::max(1e-6 * state.rest.closing_speed, 1e-12 * largest_speed(component_))),
+          soft_(1e-9 * length(gravity_))
+    {
+    }
+
+    HeldComponent go(bool started)
+    {
+        choose_candidates();
+        find_forces();
+        open_what_opens();
+        bring_to_rest();
+        for (const std::vector<std::size_t>& part : parts()) go_on(part);
+        std::sort(out_.changes.begin(), out_.changes.end(),
+                  [](const MemberChange& x, const MemberChange& y) { return x.body < y.body; });
+        if (!started) report();
+        return std::move(out_);
+    }
+
+private:
+    std::size_t count() const { return component_.contacts.size(); }
+    Flight& flight(int index) { return component_.flights[static_cast<std::size_t>(index)]; }
+    Vec3 relative_velocity(const Touch& t) const
+    {
+        const Vec3& v = component_.flight_of(t.a).velocity;
+        return component_.index_of(t.b) == immovable ? v : Vec3(v - component_.flight_of(t.b).velocity);
+    }
+    double rate(const Touch& t) const { return t.normal.dot(relative_velocity(t)); }
+
+    void choose_candidates()
+    {
+        for (const Touch& t : component_.contacts) {
+            const double c = rate(t);
+            persists_.push_back(t.gap <= persistence_gap(state_, t.a, t.b) && c <= slow_);
+        }
+        stop_closing();
+    }
+
+    /// Candidates neither open nor close from here on: what is left of their speed goes.
+    void stop_closing()
+    {
+        const Cluster held = candidates();
+        if (held.contacts.empty()) return;
+        std::vector<double> wanted;
+        for (std::size_t i = 0; i < count(); ++i)
+            if (persists_[i]) wanted.push_back(-rate(component_.contacts[i]));
+        const std::vector<Vec3> change = equalising_change(held, wanted);
+        for (std::size_t k = 0; k < change.size(); ++k) {
+            Vec3& v = component_.flights[k].velocity;
+            const double mass = 1 / held.bodies[k].inverse_mass;
+            out_.taken.settling -= mass * change[k].dot(v + 0.5 * change[k]);
+            v += change[k];
+        }
+    }
+
+    Cluster candidates() const
+    {
+        Cluster all = cluster_of(state_, component_), out{all.bodies, {}};
+        for (std::size_t i = 0; i < count(); ++i)
+            if (persists_[i]) out.contacts.push_back(all.contacts[i]);
+        return out;
+    }
+
+    void find_forces()
+    {
+        Cluster problem = candidates();
+        force_.assign(count(), 0);
+        opening_.assign(count(), 0);
+        acceleration_.assign(component_.bodies.size(), gravity_);
+        if (problem.contacts.empty()) return;
+        for (ClusterBody& body : problem.bodies) body.velocity = gravity_;
+        std::vector<double> curvature;
+        for (std::size_t i = 0; i < count(); ++i)
+            if (persists_[i]) curvature.push_back(turning(component_.contacts[i]));
+        const ContactForces forces = solve_contact_forces(problem, curvature);
+        acceleration_ = forces.accelerations;
+        for (std::size_t i = 0, k = 0; i < count(); ++i) {
+            if (!persists_[i]) continue;
+            force_[i] = forces.forces[k];
+            opening_[i] = forces.gap_rates[k];
+            ++k;
+        }
+    }
+
+    /// |w_t|^2 / (r_a + r_b), 0 at planes.
+    double turning(const Touch& t) const
+    {
+        if (state_.is_plane(t.b)) return 0;
+        const Vec3 w = relative_velocity(t);
+        return (w - w.dot(t.normal) * t.normal).squaredNorm() / (state_.radius(t.a) + state_.radius(t.b));
+    }
+
+    void open_what_opens()
+    {
+        for (std::size_t i = 0; i < count(); ++i) {
+            if (!persists_[i]) continue;
+            const double enough = std::max(soft_, softest(component_.contacts[i]));
+            if (force_[i] > 0 || opening_[i] <= enough) continue;
+            persists_[i] = false;
+            push_apart(component_.contacts[i]);
+        }
+    }
+    /// Without gravity: what opens a contact by less than its tolerance until the end of the run.
+    double softest(const Touch& t) const
+    {
+        const double time = state_.scene.end_time;
+        return length(gravity_) > 0 ? 0 : persistence_gap(state_, t.a, t.b) / time / time;
+    }
+
+    /// It opens from speed 0; by rounding that must not look like closing.
+    void push_apart(const Touch& t)
+    {
+        const int a = component_.index_of(t.a), b = component_.index_of(t.b);
+        double nudge = 4 * unit_roundoff * std::max(largest_speed(component_), slow_);
+        for (int i = 0; i < 64 && rate(t) <= 0; ++i, nudge *= 2) {
+            flight(a).velocity += nudge * t.normal;
+            if (b != immovable) flight(b).velocity -= nudge * t.normal;
+        }
+    }
+
+    /// Speeds and accelerations that are no more than what solving leaves of 0, where contacts hold a body.
+    void bring_to_rest()
+    {
+        for (std::size_t k = 0; k < component_.bodies.size(); ++k) {
+            if (!is_held(component_.bodies[k])) continue;
+            Vec3 &v = component_.flights[k].velocity, &a = acceleration_[k];
+            if (length(a) <= soft_) a = Vec3::Zero();
+            if (a.isZero(0) && length(v) <= slow_) v = Vec3::Zero();
+        }
+    }
+
+    bool is_held(BodyId body) const
+    {
+        for (std::size_t i = 0; i < count(); ++i)
+            if (persists_[i] && (component_.contacts[i].a == body || component_.contacts[i].b == body)) return true;
+        return false;
+    }
+
+    /// The bodies, as indices, that persistent contacts still connect.
+    std::vector<std::vector<std::size_t>> parts() const
+    {
+        const std::size_t n = component_.bodies.size();
+        std::vector<std::size_t> smallest(n);
+        for (std::size_t k = 0; k < n; ++k) smallest[k] = k;
+        const auto root = [&](std::size_t k) {
+            while (smallest[k] != k) k = smallest[k] = smallest[smallest[k]];
+            return k;
+        };
+        for (std::size_t i = 0; i < count(); ++i) {
+            const int b = component_.index_of(component_.contacts[i].b);
+            if (!persists_[i] || b == immovable) continue;
+            const std::size_t x = root(static_cast<std::size_t>(component_.index_of(component_.contacts[i].a))),
+                              y = root(static_cast<std::size_t>(b));
+            smallest[std::max(x, y)] = std::min(x, y);
+        }
+        std::vector<std::vector<std::size_t>> out, by_root(n);
+        for (std::size_t k = 0; k < n; ++k) by_root[root(k)].push_back(k);
+        for (auto& part : by_root)
+            if (!part.empty()) out.push_back(std::move(part));
+        return out;
+    }
+
+    void go_on(const std::vector<std::size_t>& part)
+    {
+        std::vector<std::size_t> held;
+        for (std::size_t i = 0; i < count(); ++i) {
+            const int a = component_.index_of(component_.contacts[i].a);
+            if (persists_[i] && std::binary_search(part.begin(), part.end(), static_cast<std::size_t>(a)))
+                held.push_back(i);
+        }
+        if (held.empty()) return fly(part.front());
+        const Touch& first = component_.contacts[held.front()];
+        if (held.size() == 1 && state_.is_plane(first.b)) return lean(part.front(), first);
+        for (const std::size_t i : held)
+            if (force_[i] > 0 && turns(component_.contacts[i])) return integrate(part, held);
+        for (const std::size_t k : part) stay(k, held);
+    }
+
+    /// Does the normal turn? Then what it carries has no closed form.
+    bool turns(const Touch& t) const
+    {
+        if (state_.is_plane(t.b)) return false;
+        const int b = component_.index_of(t.b);
+        const Vec3& a = acceleration_[static_cast<std::size_t>(component_.index_of(t.a))];
+        const Vec3 relative = b == immovable ? a : Vec3(a - acceleration_[static_cast<std::size_t>(b)]);
+        return length(relative_velocity(t)) > slow_ || length(relative) > 4 * soft_;
+    }
+
+    MemberChange& change_of(std::size_t k)
+    {
+        Flight f = component_.flights[k];
+        f.start = now_;
+        out_.changes.push_back({component_.bodies[k], f, Vec3::Zero(), {}, {}});
+        return out_.changes.back();
+    }
+
+    void fly(std::size_t k)
+    {
+        Flight& f = change_of(k).flight;
+        f.acceleration = state_.accelerations.free();
+        f.support = -1;
+        f.mode = Mode::flying;
+    }
+
+    void lean(std::size_t k, const Touch& t)
+    {
+        Flight& f = change_of(k).flight;
+        f.velocity -= (t.normal.dot(f.velocity) / t.normal.squaredNorm()) * t.normal;
+        carom::hold(state_, state_.plane_index(t.b), f);
+    }
+
+    void list_contacts(MemberChange& change, const std::vector<std::size_t>& held)
+    {
+        for (const std::size_t i : held) {
+            const Touch& t = component_.contacts[i];
+            if (t.a == change.body) change.contacts.push_back({t.b, force_[i]});
+            if (t.b == change.body) change.contacts.push_back({t.a, force_[i]});
+        }
+        change.flight.support = several_supports;
+    }
+
+    void stay(std::size_t k, const std::vector<std::size_t>& held)
+    {
+        MemberChange& change = change_of(k);
+        list_contacts(change, held);
+        change.acceleration = acceleration_[k];
+        Flight& f = change.flight;
+        f.acceleration = change.acceleration.isZero(0) ? Accelerations::none : state_.accelerations.own(change.body);
+        f.mode = f.velocity.isZero(0) && change.acceleration.isZero(0) ? Mode::resting : Mode::sliding;
+    }
+
+    void integrate(const std::vector<std::size_t>& part, const std::vector<std::size_t>& held)
+    {
+        NumericPart numeric{{}, {}};
+        for (const std::size_t k : part) numeric.bodies.push_back({component_.bodies[k], component_.flights[k]});
+        for (const std::size_t i : held) numeric.contacts.push_back({component_.contacts[i], force_[i] > 0});
+        const NumericMotion motion = numeric_motion(state_, numeric, now_, soft_);
+        for (std::size_t n = 0; n < part.size(); ++n) {
+            MemberChange& change = change_of(part[n]);
+            list_contacts(change, held);
+            for (PersistentContact& c : change.contacts) c.force = mean_force(motion, numeric, change.body, c.partner);
+            change.piece = motion.pieces[n];
+            change.acceleration = motion.accelerations[n];
+            change.flight.acceleration = state_.accelerations.own(change.body);
+            change.flight.mode = Mode::numeric;
+        }
+        out_.taken.stabilising += motion.correction;
+        ++out_.numeric_steps;
+    }
+
+    static double mean_force(const NumericMotion& motion, const NumericPart& part, BodyId body, BodyId partner)
+    {
+        for (std::size_t i = 0; i < part.contacts.size(); ++i) {
+            const Touch& t = part.contacts[i].touch;
+            if ((t.a == body && t.b == partner) || (t.b == body && t.a == partner)) return motion.forces[i];
+        }
+        return 0;
+    }
+
+    void report()
+    {
+        for (std::size_t i = 0; i < count(); ++i) {
+            const Touch& t = component_.contacts[i];
+            if (persists_[i] == t.persistent) continue;
+            const EventKind kind = persists_[i] ? EventKind::rest : EventKind::release;
+            out_.events.push_back(event_between(kind, t, Vec3::Zero()));
+        }
+    }
+
+    const State& state_;
+    Component component_;
+    const EpochTime now_;
+    const Vec3 gravity_;
+    const double slow_;               ///< contacts no faster than this neither open nor close [length/time]
+    const double soft_;               ///< accelerations up to this are 0 [length/time^2]
+    std::vector<bool> persists_;      ///< by contact
+    std::vector<double> force_;       ///< by contact [mass length/time^2]
+    std::vector<double> opening_;     ///< by contact, d2 gap / dt2 [length/time^2]
+    std::vector<Vec3> acceleration_;  ///< by body [length/time^2]
+    HeldComponent out_;
+};
+
+}  // namespace
+
+HeldComponent hold(const State& state, Component component, const EpochTime& now, bool started)
+{
+    return Holder(state, std::move(component), now).go(started);
+}
+
+}  // namespace carom

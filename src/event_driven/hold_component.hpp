@@ -1,0 +1,32 @@
+/// \file
+/// What becomes of the bodies of a component once their velocities are those after the instant: which contacts persist,
+/// and how the bodies move on.
+#pragma once
+
+#include "event_driven/component.hpp"
+
+namespace carom {
+
+/// How one body goes on.
+struct MemberChange {
+    BodyId body = no_body;
+    Flight flight;
+    Vec3 acceleration = Vec3::Zero();         ///< its own, if the flight's is [length/time^2]
+    std::vector<PersistentContact> contacts;  ///< if the support is several_supports
+    Piece piece;                              ///< if the mode is numeric
+};
+
+struct HeldComponent {
+    std::vector<MemberChange> changes;  ///< all bodies of the component
+    std::vector<Event> events;          ///< rests and releases
+    EnergyTaken taken;
+    std::int64_t numeric_steps = 0;
+};
+
+/// Contacts that are closed and neither open nor close are candidates; those whose forces keep them persist, the others
+/// open. Bodies in contacts that carry force while their normals turn go on numerically.
+/// \param component flights with the velocities after
+/// \param started contacts are as the scene declares them: that they persist is no event
+HeldComponent hold(const State& state, Component component, const EpochTime& now, bool started);
+
+}  // namespace carom

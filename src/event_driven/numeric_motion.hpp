@@ -1,0 +1,32 @@
+/// \file
+/// A numeric cluster as the engine sees it: flights and contacts in, one piece of motion for each body out.
+#pragma once
+
+#include "event_driven/component.hpp"
+
+namespace carom {
+
+struct NumericPart {
+    struct Body {
+        BodyId id;
+        Flight flight;  ///< as it begins now
+    };
+    struct Contact {
+        Touch touch;
+        bool carries;
+    };
+    std::vector<Body> bodies;
+    std::vector<Contact> contacts;
+};
+
+struct NumericMotion {
+    std::vector<Piece> pieces;        ///< by body
+    std::vector<Vec3> accelerations;  ///< by body: of the parabola that stands for the piece [length/time^2]
+    std::vector<double> forces;       ///< by contact, mean [mass length/time^2]
+    double correction = 0;            ///< [energy]
+};
+
+/// One step of rest.numeric_step, or less if a contact opens. \param opening see NumericCluster
+NumericMotion numeric_motion(const State& state, const NumericPart& part, const EpochTime& now, double opening);
+
+}  // namespace carom

@@ -1,0 +1,29 @@
+/// \file
+/// Events of bodies in several contacts: impacts resolved together, contacts that persist, ends of numeric steps and of
+/// windows of the guard.
+#pragma once
+
+#include "event_driven/hold_component.hpp"
+
+namespace carom {
+
+struct ComponentResolution {
+    std::vector<MemberChange> changes;
+    std::vector<Event> events;
+    EnergyTaken taken;
+    std::int64_t numeric_steps = 0;
+    bool clustered = false;  ///< impacts of several contacts were resolved together
+    double penetration = 0;  ///< of the contacts at this instant, >= 0 [length]
+};
+
+/// Carry out the event `key` for all bodies that contacts connect with its own.
+ComponentResolution resolve_component(const State& state, const Key& key, const Neighbourhood& neighbourhood);
+
+/// Contacts that the scene declares: those that close have their impact at once, the others take hold.
+std::vector<ComponentResolution> begin_components(const State& state);
+
+/// Must a contact with restitution below 1 be inelastic: because it closes slower than v_c, or closed less than tau_p
+/// ago? \param closing speed, > 0 [length/time]
+bool is_inelastic(const State& state, BodyId a, BodyId b, double closing, const EpochTime& now);
+
+}  // namespace carom
