@@ -1,0 +1,31 @@
+/// \file
+/// A cluster as a projection problem: velocities are the vectors, inverse masses their metric, contacts the
+/// half-spaces.
+#pragma once
+
+#include "impact/cluster.hpp"
+
+#include "math/half_space.hpp"
+
+namespace carom {
+
+/// Speeds below this part of the largest one are rounding, to whoever projects.
+inline constexpr double projection_tolerance = 1e-13;
+/// Contacts that close slower than this part of the largest speed do not close (IMPACTS: eps).
+inline constexpr double closing_tolerance = 1e-12;
+
+/// Half-spaces c_i >= 0 in the order of the contacts, start = the velocities.
+ProjectionProblem projection_problem(const Cluster& cluster);
+
+double largest_speed(std::span<const Vec3> velocities);
+
+/// Kinetic energy [mass speed^2]
+double kinetic_energy(const Cluster& cluster, std::span<const Vec3> velocities);
+
+/// Momentum that impulses on a and -impulses on b leave in the velocities.
+std::vector<Vec3> velocities_after(const Cluster& cluster, std::span<const Vec3> impulses);
+
+/// Closing rates that no response leaves behind.
+bool nothing_closes(const Cluster& cluster, std::span<const Vec3> velocities, double tolerance);
+
+}  // namespace carom

@@ -1,0 +1,32 @@
+#include "impact/contact_forces.hpp"
+
+#include "impact/cluster_problem.hpp"
+
+#include "core/expect.hpp"
+#include "math/project.hpp"
+
+#include <algorithm>
+
+namespace carom {
+
+ContactForces solve_contact_forces(const Cluster& cluster, std::span<const double> curvature)
+{
+    CAROM_EXPECT(curvature.size() == cluster.contacts.size());
+    ProjectionProblem problem = projection_problem(cluster);
+    double scale = largest_speed(problem.start);
+    for (std::size_t i = 0; i < curvature.size(); ++i) {
+        CAROM_EXPECT(curvature[i] >= 0);
+        problem.half_spaces[i].offset = curvature[i];
+        scale = std::max(scale, curvature[i]);
+    }
+    problem.tolerance = projection_tolerance * scale;
+
+    Projection solved = project(problem);
+    ContactForces out{std::move(solved.multipliers), std::move(solved.point), {}};
+    out.gap_rates.reserve(curvature.size());
+    for (std::size_t i = 0; i < curvature.size(); ++i)
+        out.gap_rates.push_back(out.forces[i] > 0 ? 0 : slack(problem.half_spaces[i], out.accelerations));
+    return out;
+}
+
+}  // namespace carom

@@ -1,0 +1,143 @@
+#include "impact/reflections.hpp"
+
+#include "impact/cluster_problem.hpp"
+#include "impact/jam.hpp"
+
+#include "math/project.hpp"
+
+#include <algorithm>
+
+namespace carom {
+
+namespace {
+
+/// Rounds end where they end; only those that go on for so long are asked whether they are jammed.
+constexpr int rounds_before_jam_test = 24;
+
+int most_rounds(std::size_t contacts)
+{
+    return 100 + 10 * static_cast<int>(contacts);
+}
+
+struct Rounds {
+    std::vector<double> impulses;
+    int rounds = 0;
+    bool ended = false;
+};
+
+class Reflections {
+public:
+    explicit Reflections(const ProjectionProblem& problem)
+        : problem_(problem),
+          eps_(closing_tolerance / projection_tolerance * problem.tolerance),
+          jammed_(problem.half_spaces.size(), 0)
+    {
+    }
+
+    NormalImpact solve(bool jam_test)
+    {
+        NormalImpact out;
+        Rounds rounds = run(jam_test ? rounds_before_jam_test : most_rounds(jammed_.size()));
+        if (!rounds.ended && jam_test) {
+            while (mark_jammed(problem_, jammed_)) out.jammed = true;
+            rounds = run(most_rounds(jammed_.size()));
+        }
+        out.impulses = std::move(rounds.impulses);
+        out.rounds = rounds.rounds;
+        out.capped = !rounds.ended;
+        return out;
+    }
+
+private:
+    /// u <- 2 P_V(u) - u until V is empty. A jammed set is in every V and stays closed: u <- P_D(u) follows.
+    Rounds run(int most)
+    {
+        ProjectionProblem at = problem_;
+        Rounds out{std::vector<double>(jammed_.size(), 0.0), 0, false};
+        close_jammed(at, out.impulses);
+        for (; out.rounds < most; ++out.rounds) {
+            const std::vector<int> closing = closing_contacts(at);
+            if (closing.empty()) {
+                out.ended = true;
+                break;
+            }
+            const std::vector<double> multipliers = project(at, closing).multipliers;
+            for (std::size_t i = 0; i < multipliers.size(); ++i) {
+                if (multipliers[i] == 0) continue;
+                out.impulses[i] += 2 * multipliers[i];
+                push(at.half_spaces[i], at.w, 2 * multipliers[i], at.start);
+            }
+            close_jammed(at, out.impulses);
+        }
+        return out;
+    }
+
+    std::vector<int> closing_contacts(const ProjectionProblem& at) const
+    {
+        std::vector<int> out;
+        bool any = false;
+        for (std::size_t i = 0; i < jammed_.size(); ++i) {
+            const bool closes = slack(at.half_spaces[i], at.start) < -eps_;
+            if (closes || jammed_[i]) out.push_back(static_cast<int>(i));
+            any = any || (closes && !jammed_[i]);
+        }
+        if (!any) out.clear();
+        return out;
+    }
+
+    void close_jammed(ProjectionProblem& at, std::vector<double>& impulses) const
+    {
+        std::vector<int> set;
+        for (std::size_t i = 0; i < jammed_.size(); ++i)
+            if (jammed_[i]) set.push_back(static_cast<int>(i));
+        if (set.empty()) return;
+        const Projection closed = project(at, set);
+        for (const int i : set)
+            impulses[static_cast<std::size_t>(i)] += closed.multipliers[static_cast<std::size_t>(i)];
+        at.start = closed.point;
+    }
+
+    const ProjectionProblem& problem_;
+    double eps_;
+    std::vector<char> jammed_;
+};
+
+/// Restitution of the whole: that of the contacts which close, each by the energy m_red c^2 / 2 that it closes with.
+/// (Not by the inelastic multipliers, which need not be unique: the outcome would depend on the order of contacts.)
+double blended_restitution(const Cluster& cluster, const ProjectionProblem& problem)
+{
+    const double first = cluster.contacts.front().restitution;
+    if (std::all_of(cluster.contacts.begin(), cluster.contacts.end(),
+                    [first](const ClusterContact& contact) { return contact.restitution == first; }))
+        return first;
+    double sum = 0, weighted = 0;
+    for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
+        const HalfSpace& h = problem.half_spaces[i];
+        const double closing = std::max(0.0, -slack(h, problem.start));
+        const double energy = closing * closing / normal_length2(h, problem.w);
+        sum += energy;
+        weighted += cluster.contacts[i].restitution * energy;
+    }
+    return sum > 0 ? weighted / sum : 0;
+}
+
+}  // namespace
+
+NormalImpact reflections(const Cluster& cluster, const ReflectionsOptions& options)
+{
+    NormalImpact inelastic_impact = inelastic(cluster);
+    const ProjectionProblem problem = projection_problem(cluster);
+    const double e = blended_restitution(cluster, problem);
+    if (e == 0) return inelastic_impact;
+
+    NormalImpact out = Reflections(problem).solve(options.jam_test);
+    if (out.capped) {
+        out.impulses = std::move(inelastic_impact.impulses);
+        return out;
+    }
+    for (std::size_t i = 0; i < out.impulses.size(); ++i)
+        out.impulses[i] = e * out.impulses[i] + (1 - e) * inelastic_impact.impulses[i];
+    return out;
+}
+
+}  // namespace carom

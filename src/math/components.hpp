@@ -1,0 +1,19 @@
+/// \file
+/// Half-spaces that share vectors, directly or through others.
+#pragma once
+
+#include "math/half_space.hpp"
+
+namespace carom {
+
+struct Component {
+    std::vector<int> vectors;      ///< in ascending order
+    std::vector<int> half_spaces;  ///< in the order in which they were chosen
+};
+
+/// \param chosen indices of half-spaces; vectors that none of them concerns are in no component
+/// \returns components in the order of their first half-space
+std::vector<Component> components(std::span<const HalfSpace> half_spaces, std::span<const int> chosen,
+                                  std::size_t vectors);
+
+}  // namespace carom
