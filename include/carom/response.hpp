@@ -25,7 +25,9 @@ enum class LcpLaw : std::uint8_t {
     newton,  ///< each velocity after is at least -e times the one before
     poisson  ///< compression first, then e times its impulses are given back
 };
+inline constexpr std::array<std::string_view, 2> lcp_law_names{"newton", "poisson"};
 enum class LcpSolver : std::uint8_t { exact, gauss_seidel };
+inline constexpr std::array<std::string_view, 2> lcp_solver_names{"exact", "gauss_seidel"};
 
 struct LcpOptions {
     LcpLaw law = LcpLaw::newton;

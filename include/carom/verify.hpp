@@ -71,7 +71,7 @@ public:
 };
 
 /// Time that bodies spent, all bodies added, by what could be certified of the flights of that time.
-struct BodySeconds {
+struct CertifiedSeconds {
     double exact = 0;          ///< gap >= min(0, initial gap) [time]
     double bounded = 0;        ///< gap >= -16 eps max(r1 + r2, distance flown) [time]
     double not_certified = 0;  ///< neither could be shown, nor a violation [time]
@@ -101,7 +101,7 @@ struct Certificate {
     double largest_momentum_error = 0;  ///< beside the momenta of the impact [1]
     double largest_energy_error = 0;    ///< against the contact law, beside the kinetic energy of the impact [1]
     double largest_law_error = 0;  ///< of the impulse against the contact law, beside the momenta of the impact [1]
-    BodySeconds body_seconds;
+    CertifiedSeconds body_seconds;
     std::uint64_t event_hash = 0;       ///< of the events read
     std::int64_t violated = 0;          ///< how many violations were found
     std::vector<Violation> violations;  ///< the first of them

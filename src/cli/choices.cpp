@@ -115,6 +115,14 @@ std::vector<std::string> Choices::methods(const std::string& name, std::vector<s
     });
 }
 
+std::string Choices::word(const std::string& name, const std::vector<std::string>& known) const
+{
+    return read(name, std::string(), [&](const std::string& word) {
+        if (std::find(known.begin(), known.end(), word) != known.end()) return word;
+        throw std::invalid_argument("unknown word \"" + word + "\"" + io::suggestion(word, known, "take"));
+    });
+}
+
 std::string Choices::text(const std::string& name) const
 {
     return read(name, std::string(), [](const std::string& word) { return word; });
@@ -159,7 +167,7 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
 {
     const Choices choices(args.given, scene.run, file + ": /run");
     choices.expect_known({"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events",
-                          "max_seconds", "final", "kernel", "certified"});
+                          "max_seconds", "final", "kernel", "certified", "impact", "guard"});
     StepOptions step;
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();

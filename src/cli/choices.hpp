@@ -27,6 +27,7 @@ public:
     std::vector<std::string> methods(const std::string& name,
                                      std::vector<std::string> otherwise) const;  ///< known ones
     ContactOrder order() const;
+    std::string word(const std::string& name, const std::vector<std::string>& known) const;  ///< \pre has(name)
     std::string text(const std::string& name) const;  ///< as given, empty if it is not
     bool flag(const std::string& name) const;
     bool has(const std::string& name) const;

@@ -1,5 +1,7 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/response.hpp"
+#include "core/names.hpp"
 
 #include <carom/features.hpp>
 #include <carom/io.hpp>
@@ -48,21 +50,58 @@ Explanation explain(const Scene& scene, const std::string& forced)
     return e;
 }
 
+using Json = nlohmann::ordered_json;
+
+/// With every default filled in; a tie that depends on the run is null.
+Json impact_json(const ImpactOptions& impact)
+{
+    Json json = {{"operator", name_of(impact.impact_operator, impact_operator_names)},
+                 {"tie", impact.tie ? Json(*impact.tie) : Json()}};
+    if (impact.impact_operator == ImpactOperator::lcp) {
+        json["law"] = name_of(impact.lcp.law, lcp_law_names);
+        json["solver"] = name_of(impact.lcp.solver, lcp_solver_names);
+        json["sweeps"] = impact.lcp.sweeps;
+    }
+    return json;
+}
+
+Json rest_json(const Scene& scene)
+{
+    const RestThresholds rest = rest_thresholds(scene);
+    return {{"policy", name_of(scene.rest.policy, rest_policy_names)},
+            {"closing_speed", rest.closing_speed},
+            {"window", rest.window},
+            {"numeric_step", rest.numeric_step},
+            {"gap_tolerance", rest.gap_tolerance},
+            {"series_below", scene.rest.series_below}};
+}
+
+Json guard_json(const Scene& scene)
+{
+    return {{"on", scene.guard.on},
+            {"impacts", scene.guard.impacts},
+            {"window", scene.guard.window.value_or(rest_thresholds(scene).numeric_step)},
+            {"fallback", name_of(scene.guard.fallback, guard_fallback_names)}};
+}
+
 std::string as_json(const Scene& scene, const Explanation& e)
 {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    Json list = Json::array();
     for (const Kernel& kernel : kernels())
         list.push_back(
             {{"name", kernel.name}, {"covers", covers(kernel.features, e.needed)}, {"leaves_out", kernel.leaves_out}});
-    const nlohmann::ordered_json json = {{"format", "carom-explain/1"},
-                                         {"scene", scene.name},
-                                         {"needs", {{"gravity", e.needed.gravity}, {"pairs", e.needed.pairs}}},
-                                         {"kernel", e.kernel->name},
-                                         {"why", e.why_kernel},
-                                         {"kernels", list},
-                                         {"broad_phase", e.broad_phase},
-                                         {"reference", e.reference}};
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    const Json json = {{"format", "carom-explain/1"},
+                       {"scene", scene.name},
+                       {"needs", {{"gravity", e.needed.gravity}, {"pairs", e.needed.pairs}}},
+                       {"kernel", e.kernel->name},
+                       {"why", e.why_kernel},
+                       {"kernels", list},
+                       {"impact", impact_json(scene.impact)},
+                       {"rest", rest_json(scene)},
+                       {"guard", guard_json(scene)},
+                       {"broad_phase", e.broad_phase},
+                       {"reference", e.reference}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string as_text(const Scene& scene, const Explanation& e)
@@ -77,6 +116,9 @@ std::string as_text(const Scene& scene, const Explanation& e)
     for (const Kernel& kernel : kernels())
         text += fmt::format("                {:<8} {}\n", kernel.name,
                             covers(kernel.features, e.needed) ? "covers this scene" : "lacks what this scene needs");
+    text += fmt::format("impact          {}\n", impact_words(scene));
+    text += fmt::format("rest            {}\n", rest_words(scene));
+    text += fmt::format("guard           {}\n", guard_words(scene));
     text += fmt::format("broad phase     {}\n", e.broad_phase);
     text += fmt::format("reference       {}\n", e.reference);
     return text;
@@ -87,7 +129,7 @@ std::string as_text(const Scene& scene, const Explanation& e)
 int do_explain(const ExplainArguments& args, const GlobalArguments& global, const Console& console)
 {
     const auto file = find_scene(args.scene, scene_folder());
-    const Scene scene = read_with_options(file, args.allow_overlap, args.set, global);
+    const Scene scene = with_response(read_with_options(file, args.allow_overlap, args.set, global), {}, file.string());
     const Explanation explanation = explain(scene, args.kernel);
     console.out << (global.json ? as_json(scene, explanation) : as_text(scene, explanation));
     return exit_ok;

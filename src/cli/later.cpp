@@ -9,7 +9,7 @@ namespace carom::cli {
 namespace {
 
 constexpr std::array<std::string_view, 4> later_commands{"tunnel", "view", "export", "query"};
-constexpr std::array<std::string_view, 4> later_options{"--impact", "--guard", "--save-state", "--equilibrate"};
+constexpr std::array<std::string_view, 2> later_options{"--save-state", "--equilibrate"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word)

@@ -5,6 +5,7 @@
 #include "cli/usage_error.hpp"
 
 #include <carom/method.hpp>
+#include <carom/response.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -26,6 +27,12 @@ void add_given(CLI::App& app, GivenOptions& given, const std::string& flag, cons
     app.add_option_function<std::string>(
            flag, [&given, key](const std::string& text) { given[key] = text; }, help)
         ->type_name(value);
+}
+
+template <class Names>
+std::string joined(const Names& names)
+{
+    return CLI::detail::join(names, ", ");
 }
 
 void add_step_options(CLI::App& app, GivenOptions& given)
@@ -58,6 +65,11 @@ void define_run(CLI::App& app, RunArguments& run)
     app.add_flag_callback(
         "--certified", [&run] { run.given["certified"] = "true"; },
         "event only: places in double-double, no gap below 0 in free flight; for carom verify");
+    add_given(app, run.given, "--impact", "OP",
+              "How contacts that close together are resolved: " + joined(impact_operator_names) + " [the scene's]");
+    add_given(
+        app, run.given, "--guard", "G",
+        "Where inelastic impacts accumulate: on, off, or on with " + joined(guard_fallback_names) + " [the scene's]");
     add_given(app, run.given, "--until", "T", "End of the run, counted from its start [the scene's end_time]");
     add_given(app, run.given, "--max-events", "N", "Stop after so many events, or steps of a discrete method [1e9]");
     add_given(app, run.given, "--max-seconds", "S", "Stop after so many seconds on the clock");
@@ -73,6 +85,7 @@ void define_run(CLI::App& app, RunArguments& run)
         "  carom run bouncing_ball\n"
         "  carom run bouncing_ball --method pbd --dt 1/240 --json\n"
         "  carom run gas_1000 --until 1 --events gas.csv -o out/gas\n"
+        "  carom run cradle --impact lcp --guard off\n"
         "  carom run bouncing_ball --set /materials/rubber/restitution=0.5 --set /spheres/0/position=[0,0,2.1]\n"
         "Exit: 0 end reached, 1 run failed or unresolved, 2 usage, 3 bad scene, 5 a limit was reached, 130 "
         "interrupted.");

@@ -4,6 +4,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/notes.hpp"
 #include "cli/progress.hpp"
+#include "cli/response.hpp"
 #include "cli/tables.hpp"
 #include "io/events_csv.hpp"
 #include "io/run_json.hpp"
@@ -76,9 +77,8 @@ void explain_settings(const Scene& scene, const std::filesystem::path& file, con
 {
     console.err << fmt::format("{}: {} spheres, {} planes, method {}, to t = {:.10g}\n", file.string(),
                                scene.spheres.size(), scene.planes.size(), name(settings.method), settings.run.until);
-    const RestThresholds rest = rest_thresholds(scene);
-    console.err << fmt::format("rest: closing speed {:.3g}, window {:.3g}, numeric step {:.3g}, gap tolerance {:.3g}\n",
-                               rest.closing_speed, rest.window, rest.numeric_step, rest.gap_tolerance);
+    console.err << fmt::format("impact: {}\nrest: {}\nguard: {}\n", impact_words(scene), rest_words(scene),
+                               guard_words(scene));
     if (const StepOptions* step = step_options(settings.method))
         console.err << fmt::format("step: dt {:.10g}, {} substeps, {} passes, order {}, seed {}\n", step->dt,
                                    step->substeps, step->passes, name(step->order), step->seed);
@@ -89,7 +89,8 @@ void explain_settings(const Scene& scene, const std::filesystem::path& file, con
 int do_run(const RunArguments& args, const GlobalArguments& global, const Console& console)
 {
     const std::filesystem::path file = find_scene(args.scene, scene_folder());
-    const Scene scene = read_with_options(file, args.allow_overlap, args.set, global);
+    const Scene scene =
+        with_response(read_with_options(file, args.allow_overlap, args.set, global), args.given, file.string());
     const RunSettings settings = run_settings(args, global, scene, file.string());
     if (global.verbose) explain_settings(scene, file, settings, console);
     if (!global.quiet) {

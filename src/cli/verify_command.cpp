@@ -23,7 +23,7 @@ std::string share(double part, double whole)
 
 std::string verify_table(const Certificate& c)
 {
-    const BodySeconds& s = c.body_seconds;
+    const CertifiedSeconds& s = c.body_seconds;
     const double all = s.exact + s.bounded + s.not_certified;
     std::vector<std::vector<std::string>> rows{
         {"certificate", c.holds() ? "holds" : fmt::format("DOES NOT HOLD: {} violations", c.violated)},

@@ -18,8 +18,8 @@ const std::vector<CommandOptions>& command_options()
     static const std::vector<CommandOptions> options{
         {"run",
          {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds", "final",
-          "kernel", "certified"},
-         {"equilibrate", "impact", "guard"}},
+          "kernel", "certified", "impact", "guard"},
+         {"equilibrate"}},
         {"compare", {"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance"}, {}},
         {"tunnel", {"speed", "thickness", "radius", "dt", "methods", "trials", "bisect"}, {}},
         {"view", {"out"}, {}},

@@ -25,6 +25,10 @@ void read_materials(ObjectView& root, SceneDraft& draft);
 void read_contacts(ObjectView& root, SceneDraft& draft);
 // scene_rest.cpp
 void read_rest(ObjectView& root, SceneDraft& draft);
+// scene_impact.cpp
+void read_impact(ObjectView& root, SceneDraft& draft);
+// scene_guard.cpp
+void read_guard(ObjectView& root, SceneDraft& draft);
 // scene_spheres.cpp
 void read_spheres(ObjectView& root, SceneDraft& draft);
 // scene_planes.cpp

@@ -1,5 +1,7 @@
 #include "io/scene_json.hpp"
 
+#include "core/names.hpp"
+
 #include <carom/error.hpp>
 
 #include <nlohmann/json.hpp>
@@ -45,12 +47,32 @@ Json contacts_json(const Scene& scene)
 
 Json rest_json(const RestOptions& rest)
 {
-    Json json = {{"policy", "contact"}};
+    Json json = {{"policy", name_of(rest.policy, rest_policy_names)}};
     put(json, "closing_speed", rest.closing_speed);
     put(json, "window", rest.window);
     put(json, "numeric_step", rest.numeric_step);
     put(json, "gap_tolerance", rest.gap_tolerance);
     json["series_below"] = rest.series_below;
+    return json;
+}
+
+Json impact_json(const ImpactOptions& impact)
+{
+    Json json = {{"operator", name_of(impact.impact_operator, impact_operator_names)}};
+    put(json, "tie", impact.tie);
+    if (impact.impact_operator != ImpactOperator::lcp) return json;
+    json["law"] = name_of(impact.lcp.law, lcp_law_names);
+    json["solver"] = name_of(impact.lcp.solver, lcp_solver_names);
+    json["sweeps"] = impact.lcp.sweeps;
+    return json;
+}
+
+Json guard_json(const GuardOptions& guard)
+{
+    if (!guard.on) return "off";
+    Json json = {{"impacts", guard.impacts}};
+    put(json, "window", guard.window);
+    json["fallback"] = name_of(guard.fallback, guard_fallback_names);
     return json;
 }
 
@@ -84,6 +106,8 @@ std::string scene_json_without_spheres(const Scene& scene)
     json["materials"] = materials_json(scene);
     json["contacts"] = contacts_json(scene);
     json["rest"] = rest_json(scene.rest);
+    json["impact"] = impact_json(scene.impact);
+    json["guard"] = guard_json(scene.guard);
     json["planes"] = planes_json(scene);
     return json.dump(1, ' ', false, replace);
 }

@@ -66,8 +66,6 @@ void refuse_what_comes_later(ObjectView& root)
 {
     root.not_yet("drag", never);
     root.not_yet("obstacles", never);
-    root.not_yet("impact", never);
-    root.not_yet("guard", never);
     root.not_yet("state", never);
 }
 
@@ -89,6 +87,8 @@ Scene parse_scene(std::string_view text, const std::string& file, const ReadOpti
     io::read_materials(root, draft);
     io::read_contacts(root, draft);
     io::read_rest(root, draft);
+    io::read_impact(root, draft);
+    io::read_guard(root, draft);
     io::read_spheres(root, draft);
     io::read_planes(root, draft);
     io::read_box(root, draft);

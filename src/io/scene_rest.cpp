@@ -1,3 +1,4 @@
+#include "io/named_value.hpp"
 #include "io/scene_draft.hpp"
 
 namespace carom::io {
@@ -8,7 +9,7 @@ void read_rest(ObjectView& root, SceneDraft& draft)
     if (!section) return;
     ObjectView view(*section, root.problems());
     RestOptions& rest = draft.scene.rest;
-    view.word("policy", {"contact"}, {"micro", "none"});
+    rest.policy = read_named<RestPolicy>(view, "policy", rest_policy_names).value_or(rest.policy);
     rest.closing_speed = view.number("closing_speed", not_negative);
     rest.window = view.number("window", not_negative);
     rest.numeric_step = view.number("numeric_step", positive);

@@ -39,6 +39,8 @@ public:
         for (std::size_t i = 0; i < scene_.contacts.size(); ++i)
             contact("/contacts/" + std::to_string(i), scene_.contacts[i]);
         rest();
+        impact();
+        guard();
         for (std::size_t i = 0; i < scene_.spheres.size(); ++i) sphere(places_.sphere(i), scene_.spheres[i]);
         for (std::size_t p = 0; p < scene_.planes.size(); ++p) plane(places_.plane(p), scene_.planes[p]);
         for (std::size_t k = 0; k < scene_.checks.size(); ++k) check("/checks/" + std::to_string(k), scene_.checks[k]);
@@ -58,6 +60,10 @@ private:
     void not_negative(const std::string& place, std::optional<double> x)
     {
         if (x) rule(std::isfinite(*x) && *x >= 0, place, "must be finite and >= 0, is " + to_text(*x));
+    }
+    void at_least_one(const std::string& place, int n)
+    {
+        rule(n >= 1, place, "must be at least 1, is " + std::to_string(n));
     }
     void fraction(const std::string& place, std::optional<double> x)
     {
@@ -89,6 +95,16 @@ private:
         if (scene_.rest.numeric_step) positive("/rest/numeric_step", *scene_.rest.numeric_step);
         not_negative("/rest/gap_tolerance", scene_.rest.gap_tolerance);
         not_negative("/rest/series_below", scene_.rest.series_below);
+    }
+    void impact()
+    {
+        not_negative("/impact/tie", scene_.impact.tie);
+        at_least_one("/impact/sweeps", scene_.impact.lcp.sweeps);
+    }
+    void guard()
+    {
+        at_least_one("/guard/impacts", scene_.guard.impacts);
+        if (scene_.guard.window) positive("/guard/window", *scene_.guard.window);
     }
     void sphere(const std::string& place, const Sphere& s)
     {

@@ -216,7 +216,7 @@ void Coverage::count(BodyId body, const EpochTime& now)
     const double epochs = between<double>(path.start, now), seconds = epochs * data_.units.time;
     flown_before_[static_cast<std::size_t>(body)] =
         epochs * (path.velocity.norm() + epochs * data_.acceleration(path).norm());
-    BodySeconds& sum = findings_.out.body_seconds;
+    CertifiedSeconds& sum = findings_.out.body_seconds;
     if (path.mode == Mode::numeric) grade = static_cast<std::uint8_t>(Grade::not_certified);
     (grade == static_cast<std::uint8_t>(Grade::exact)     ? sum.exact
      : grade == static_cast<std::uint8_t>(Grade::bounded) ? sum.bounded

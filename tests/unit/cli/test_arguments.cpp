@@ -3,6 +3,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/notes.hpp"
 #include "cli/progress.hpp"
+#include "cli/response.hpp"
 
 #include <carom/error.hpp>
 
@@ -153,8 +154,8 @@ TEST_CASE("what belongs to later versions is refused and not in the help", "[arg
 {
     std::string help = parse_arguments({"-h"}).out;
     for (const char* command : {"run", "compare", "stress", "scenes"}) help += parse_arguments({command, "-h"}).out;
-    for (const char* word : {"tunnel", "view", "export", "query", "--impact", "--guard", "--save-state",
-                             "--equilibrate", "moreau", "penalty"}) {
+    for (const char* word :
+         {"tunnel", "view", "export", "query", "--save-state", "--equilibrate", "moreau", "penalty"}) {
         CAPTURE(word);
         CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
         const bool option = word[0] == '-';
@@ -194,6 +195,60 @@ TEST_CASE("the command line goes before the scene, the scene before what is buil
     CHECK(built_in.methods == method_names());
     CHECK(built_in.dt == std::vector<double>{1.0 / 60, 1.0 / 240, 1.0 / 1000});
     CHECK(built_in.repeats == 3);
+}
+
+TEST_CASE("a run's responses are the scene's unless its run section or the command line says otherwise", "[choices]")
+{
+    Scene scene = scene_with({});
+    scene.impact.impact_operator = ImpactOperator::lcp;
+    scene.impact.lcp.law = LcpLaw::poisson;
+    scene.guard.impacts = 7;
+    const Scene untouched = with_response(scene, {}, "ball.json");
+    CHECK(untouched.impact.impact_operator == ImpactOperator::lcp);
+    CHECK(untouched.guard.on);
+    CHECK(untouched.guard.fallback == GuardFallback::moreau);
+
+    scene.run = {{"impact", std::string("shock")}, {"guard", std::string("off")}};
+    const Scene preset = with_response(scene, {}, "ball.json");
+    CHECK(preset.impact.impact_operator == ImpactOperator::shock);
+    CHECK_FALSE(preset.guard.on);
+
+    const Scene typed = with_response(scene, {{"impact", "jacobi"}, {"guard", "velocity"}}, "ball.json");
+    CHECK(typed.impact.impact_operator == ImpactOperator::jacobi);
+    CHECK(typed.impact.lcp.law == LcpLaw::poisson);
+    CHECK(typed.guard.on);
+    CHECK(typed.guard.fallback == GuardFallback::velocity);
+    CHECK(typed.guard.impacts == 7);
+    CHECK(with_response(scene, {{"guard", "on"}}, "ball.json").guard.on);
+
+    CHECK_THROWS_WITH(with_response(scene, {{"impact", "reflection"}}, "ball.json"),
+                      Contains("--impact: unknown word \"reflection\" (did you mean \"reflections\"?)"));
+    CHECK_THROWS_AS(with_response(scene, {{"guard", "maybe"}}, "ball.json"), UsageError);
+    scene.run = {{"guard", true}};
+    CHECK_THROWS_WITH(with_response(scene, {}, "ball.json"),
+                      Contains("ball.json: /run/guard: unknown word \"true\" (take: on, off, moreau, velocity, pbd)"));
+}
+
+TEST_CASE("responses are told in words with every default filled in", "[choices]")
+{
+    Scene scene = scene_with({});
+    CHECK(impact_words(scene) == "reflections, tie 1e-12 r, 0 in certified runs");
+    scene.impact.impact_operator = ImpactOperator::lcp;
+    scene.impact.tie = 1e-6;
+    CHECK(impact_words(scene) == "lcp (newton, exact), tie 1e-06 r");
+    scene.impact.lcp.solver = LcpSolver::gauss_seidel;
+    CHECK(impact_words(scene) == "lcp (newton, gauss_seidel, 100 sweeps), tie 1e-06 r");
+    scene.rest.policy = RestPolicy::micro;
+    scene.rest.closing_speed = 0.25;
+    scene.rest.window = 0.5;
+    scene.rest.numeric_step = 0.125;
+    scene.rest.gap_tolerance = 1e-9;
+    CHECK(rest_words(scene) ==
+          "policy micro; closing speed 0.25, window 0.5, numeric step 0.125, gap tolerance "
+          "1e-09, series below 0.001 r");
+    CHECK(guard_words(scene) == "more than 100 impacts a body within 0.125; then moreau for one window");
+    scene.guard.on = false;
+    CHECK_THAT(guard_words(scene), Catch::Matchers::StartsWith("off"));
 }
 
 TEST_CASE("a run's method takes its step from the options", "[choices]")

@@ -293,3 +293,31 @@ TEST_CASE("a discrete method has no flights to record, and says so", "[cli]")
     CHECK_FALSE(fs::exists(folder / "run/run.carom"));
     CHECK(fs::exists(folder / "run/run.json"));
 }
+
+TEST_CASE("run and explain say how several contacts, rest and accumulating impacts are answered", "[cli]")
+{
+    const Folder folder;
+    const std::vector<std::string> set{"--set", "/impact={\"operator\":\"lcp\",\"law\":\"poisson\"}",
+                                       "--set", "/guard=off",
+                                       "--set", "/rest={\"numeric_step\":0.125}"};
+    std::vector<std::string> args{"explain", folder / "ball.json"};
+    args.insert(args.end(), set.begin(), set.end());
+    const Said text = carom_tool(args);
+    CHECK_THAT(text.out, Contains("impact          lcp (poisson, exact), tie 1e-12 r") &&
+                             Contains("rest            policy contact; closing speed 0.00443, window 0.000903, numeric "
+                                      "step 0.125, gap tolerance 1e-10") &&
+                             Contains("guard           off"));
+    args.push_back("--json");
+    const json said = json::parse(carom_tool(args).out);
+    CHECK(said["impact"] ==
+          json{{"operator", "lcp"}, {"tie", nullptr}, {"law", "poisson"}, {"solver", "exact"}, {"sweeps", 100}});
+    CHECK(said["rest"]["policy"] == "contact");
+    CHECK(said["rest"]["numeric_step"] == 0.125);
+    CHECK(said["guard"] == json{{"on", false}, {"impacts", 100}, {"window", 0.125}, {"fallback", "moreau"}});
+
+    const Said run =
+        carom_tool({"run", folder / "ball.json", "--impact", "jacobi", "--guard", "pbd", "-v", "--no-progress"});
+    CHECK(run.code == exit_ok);
+    CHECK_THAT(run.err, Contains("impact: jacobi") && Contains("then pbd for one window"));
+    CHECK(carom_tool({"run", folder / "ball.json", "--impact", "jacoby"}).code == exit_usage);
+}

@@ -144,7 +144,9 @@ TEST_CASE("the schema and the reader know the same keys", "[io]")
         {"box", "\"box\": {\"%\": null}"},
         {"material", "\"materials\": {\"m\": {\"%\": null}}"},
         {"contact", "\"contacts\": [{\"%\": null}]"},
-        {"rest", "\"rest\": {\"%\": null}"}};
+        {"rest", "\"rest\": {\"%\": null}"},
+        {"impact", "\"impact\": {\"operator\": \"lcp\", \"%\": null}"},
+        {"guard", "\"guard\": {\"%\": null}"}};
     for (const auto& [name, pattern] : objects) {
         for (const auto& key : schema.find("$defs")->find(name)->find("properties")->keys) {
             INFO(name << " " << key);

@@ -40,6 +40,15 @@ TEST_CASE("a good scene breaks no rule", "[scene]")
     CHECK(validate(one_ball()).empty());
 }
 
+TEST_CASE("each rule on responses is checked", "[scene]")
+{
+    CHECK_THAT(broken_by([](Scene& s) { s.impact.tie = -1e-12; }), StartsWith("/impact/tie: must be finite and >= 0"));
+    CHECK_THAT(broken_by([](Scene& s) { s.impact.lcp.sweeps = 0; }), StartsWith("/impact/sweeps: must be at least 1"));
+    CHECK_THAT(broken_by([](Scene& s) { s.guard.impacts = -3; }),
+               StartsWith("/guard/impacts: must be at least 1, is -3"));
+    CHECK_THAT(broken_by([](Scene& s) { s.guard.window = 0; }), StartsWith("/guard/window: must be finite and > 0"));
+}
+
 TEST_CASE("each rule on values is checked", "[scene]")
 {
     constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,36 @@
+/// \file
+/// Enumerations whose names are an array in the public header, names[k] being that of the k-th value.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carom {
+
+/// \pre value is one that has a name
+template <class Enum, std::size_t N>
+std::string_view name_of(Enum value, const std::array<std::string_view, N>& names)
+{
+    return names[static_cast<std::size_t>(value)];
+}
+
+/// The value that is called `word`, if one is.
+template <class Enum, std::size_t N>
+std::optional<Enum> value_named(std::string_view word, const std::array<std::string_view, N>& names)
+{
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) return {};
+    return static_cast<Enum>(found - names.begin());
+}
+
+template <std::size_t N>
+std::vector<std::string> words_of(const std::array<std::string_view, N>& names)
+{
+    return {names.begin(), names.end()};
+}
+
+}  // namespace carom
