@@ -80,7 +80,7 @@ struct EnergyTaken {
 };
 
 /// Time spent by all moving bodies together [time].
-struct BodySeconds {
+struct BodyTimes {
     double closed_form = 0;  ///< flights, series, slides and rests
     double numeric = 0;      ///< numeric clusters
     double guarded = 0;      ///< windows of the guard
@@ -96,7 +96,7 @@ struct Outcome {
     std::vector<std::optional<double>> rest_times;  ///< per sphere: when its normal motion ended, if it did [time]
     std::vector<double> plane_impulses;  ///< per plane: normal impulse taken, resting included [mass length/time]
     EnergyTaken energy_taken;
-    BodySeconds body_seconds;
+    BodyTimes body_seconds;
     double max_penetration = 0;  ///< event: at impacts; discrete: at the end of each substep before correction [length]
     std::uint64_t event_hash = 0;  ///< event-driven runs only
     double epoch_length = 1;       ///< power of two [time]

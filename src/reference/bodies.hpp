@@ -17,6 +17,9 @@ struct Ball {
     Real next = 0;               ///< its earliest contact, not later than the end
     BodyId partner = no_body;    ///< with whom; no_body: none
     std::ptrdiff_t series = -1;  ///< index of the Zeno series it is in; -1: none
+    Real window = 0;             ///< when the count of impacts began anew
+    int impacts = 0;             ///< since then
+    bool supported = false;      ///< it has a persistent contact
     bool fixed;
 
     explicit Ball(const Sphere& s, const Vector<Real>& gravity) : radius(s.radius), mass(s.mass), fixed(s.fixed)
@@ -32,14 +35,6 @@ struct Ball {
         shadow = {static_cast<double>(t), shadow.radius, flight.x.rounded(), v.rounded(), a.rounded()};
     }
 };
-
-/// How much of a change of relative velocity the first of two spheres takes.
-template <class Real>
-Real share(const Ball<Real>& a, const Ball<Real>& b)
-{
-    if (a.fixed || b.fixed) return a.fixed ? Real(0) : Real(1);
-    return b.mass / (a.mass + b.mass);
-}
 
 /// The side of a plane that a sphere sees: gap = n.x - offset. A stored normal is used as it is, not normalised.
 template <class Real>

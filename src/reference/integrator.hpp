@@ -3,28 +3,34 @@
 /// engine.
 #pragma once
 
-#include "reference/bodies.hpp"
-#include "reference/limits.hpp"
+#include "reference/contacts.hpp"
+#include "reference/impact.hpp"
+#include "reference/persistence.hpp"
 #include "reference/quartic.hpp"
 #include "reference/reason.hpp"
 #include "reference/reference.hpp"
 #include "reference/roots.hpp"
 
-#include <algorithm>
-#include <set>
-
 namespace carom::reference {
 
-/// Runs the scene's doubles as exact numbers until `until` or until something that it does not model: then `reason`
-/// says what, and `stopped_at` when. Zeno series are run bounce by bounce, and a lone sphere then stays on its plane.
+/// Runs the scene's doubles as exact numbers until `until` or until something that has no closed form: then `reason`
+/// says what, and `stopped_at` when. Zeno series are run bounce by bounce; contacts persist while flights stay
+/// parabolas.
 template <class Real>
 class Integrator {
 public:
-    Integrator(const Scene& scene, const Real& until) : scene_(scene), until_(until), gravity_(scene.gravity)
+    Integrator(const Scene& scene, const Real& until)
+        : scene_(scene), until_(until), gravity_(scene.gravity), rest_(rest_thresholds(scene)), balls_(scene)
     {
-        for (const Sphere& s : scene.spheres) balls_.emplace_back(s, gravity_);
-        for (BodyId i = 0; i < count() && !stopped(); ++i) start(i);
-        for (BodyId i = 0; i < count() && !stopped(); ++i) predict(i, 0, i);
+        const auto loses = [](const auto& law) { return law.restitution < 1; };
+        lossy_ = std::any_of(scene.materials.begin(), scene.materials.end(), loses) ||
+                 std::any_of(scene.contacts.begin(), scene.contacts.end(), loses);
+        for (BodyId i = 0; i < balls_.count() && !stopped(); ++i) {
+            if (balls_.fixed(i) || balls_[i].supported || !balls_.supported(i)) continue;
+            const Group<Real> g = balls_.group({i}, 0);
+            persist(g, balls_.velocities(g, 0), 0);
+        }
+        for (BodyId i = 0; i < balls_.count() && !stopped(); ++i) predict(i, 0, i);
     }
 
     /// Executes the events up to and including time t. \pre t never decreases and is at most `until`.
@@ -32,25 +38,29 @@ public:
     {
         while (!stopped()) {
             BodyId a = no_body;
-            for (BodyId i = 0; i < count(); ++i)
+            for (BodyId i = 0; i < balls_.count(); ++i)
                 if (balls_[i].partner != no_body && (a == no_body || balls_[i].next < balls_[a].next)) a = i;
             if (a == no_body || balls_[a].next > t) return;
             const Real now = balls_[a].next;
             const BodyId b = balls_[a].partner;
-            impact(a, b, now);
-            for (BodyId i = 0; i < count(); ++i) {
+            std::vector<BodyId> movable;
+            if (!balls_.fixed(a)) movable.push_back(a);
+            if (!balls_.fixed(b)) movable.push_back(b);
+            const Group<Real> g = balls_.group(std::move(movable), now);
+            impact(g, now);
+            for (BodyId i = 0; i < balls_.count() && !stopped(); ++i) {
                 const BodyId p = balls_[i].partner;
-                if (i == a || i == b || p == a || (p == b && b < count())) predict(i, now, count());
+                if (i == a || i == b || has(g, i) || (p != no_body && has(g, p))) predict(i, now, balls_.count());
             }
         }
     }
 
-    const Flight<Real>& flight(std::size_t i) const { return balls_[i].flight; }
-    Mode mode(std::size_t i, const Real& t) const
+    const Flight<Real>& flight(BodyId i) const { return balls_[i].flight; }
+    Mode mode(BodyId i, const Real& t) const
     {
         const Flight<Real>& f = balls_[i].flight;
         if (balls_[i].fixed) return Mode::fixed;
-        if (support_ != no_body) return size(f.a) == 0 && size(f.velocity(t)) == 0 ? Mode::resting : Mode::sliding;
+        if (balls_[i].supported) return size(f.a) == 0 && size(f.velocity(t)) == 0 ? Mode::resting : Mode::sliding;
         return balls_[i].series >= 0 ? Mode::series : Mode::flying;
     }
     bool stopped() const { return !reason_.empty(); }
@@ -62,44 +72,18 @@ public:
     std::int64_t root_solves = 0;
 
 private:
-    BodyId count() const { return static_cast<BodyId>(balls_.size()); }
-    BodyId bodies() const { return scene_.plane_body(scene_.planes.size()); }
-    Face<Real> face(BodyId p, const Ball<Real>& ball) const { return {scene_.planes[p - count()], ball}; }
-    Approach approach(const Ball<Real>& a, const Ball<Real>& b, double t) const { return {a.shadow, b.shadow, t}; }
-
-    void stop(const char* what, const std::vector<BodyId>& who, const Real& t)
+    using Vectors = std::vector<Vector<Real>>;
+    static bool has(const Group<Real>& g, BodyId i)
     {
-        reason_ = reference::reason(scene_, what, who, static_cast<double>(t));
+        return std::find(g.bodies.begin(), g.bodies.end(), i) != g.bodies.end();
+    }
+
+    void stop(const char* what, const Group<Real>& g, const Real& t)
+    {
+        std::set<BodyId> who(g.bodies.begin(), g.bodies.end());
+        for (const Link<Real>& l : g.links) who.insert(l.partner);
+        reason_ = reference::reason(scene_, what, {who.begin(), who.end()}, static_cast<double>(t));
         stopped_at_ = t;
-    }
-
-    /// Whether gravity acts on one of two spheres alone, so that they may come to rest on each other.
-    bool pressed(const Ball<Real>& a, const Ball<Real>& b) const { return a.fixed != b.fixed && size(gravity_) > 0; }
-    /// Whether an approach at w |r| is the last of a bounce that nobody could see.
-    bool faint(const Real& w, const Vector<Real>& r, const Real& radius) const
-    {
-        return w >= 0 || w * w <= 2 * size(gravity_) * lowest_bounce * radius * dot(r, r);
-    }
-
-    /// Contacts that are closed at the start: noted, and if gravity presses a still sphere on a plane, persistent.
-    void start(BodyId i)
-    {
-        Ball<Real>& ball = balls_[i];
-        for (BodyId j = 0; j < i; ++j) {
-            if (ball.fixed && balls_[j].fixed) continue;
-            const double tolerance = declared_tie * std::min(ball.shadow.radius, balls_[j].shadow.radius);
-            if (approach(ball, balls_[j], 0).apart(tolerance)) continue;
-            const Vector<Real> r = ball.flight.x - balls_[j].flight.x;
-            if (sqrt(dot(r, r)) - ball.radius - balls_[j].radius <= tolerance) declared_.emplace(j, i);
-        }
-        if (ball.fixed) return;
-        const Real slow = still * rest_thresholds(scene_).closing_speed + still_rounding * size(ball.flight.v);
-        for (BodyId p = count(); p < bodies() && !stopped(); ++p) {
-            const Face<Real> f = face(p, ball);
-            if (abs(f.gap(ball.flight.x)) > declared_tie * ball.radius) continue;
-            declared_.emplace(i, p);
-            if (abs(dot(f.n, ball.flight.v)) <= slow && dot(f.n, gravity_) < -1e-30 * size(gravity_)) settle(i, p, 0);
-        }
     }
 
     /// Time from now to the next contact of sphere i with body j, if there is one.
@@ -107,15 +91,15 @@ private:
     {
         const Flight<Real>& f = balls_[i].flight;
         const Vector<Real> x = f.position(now), v = f.velocity(now);
-        if (j < count()) {
+        if (j < balls_.count()) {
             const Flight<Real>& other = balls_[j].flight;
+            const Vector<Real> u = other.velocity(now), r = x - other.position(now), a = f.a - other.a;
+            const Vector<Real> w = size(v - u) <= 1e-30 * (size(v) + size(u)) ? Vector<Real>() : v - u;
             const Real sum = balls_[i].radius + balls_[j].radius;
-            if (pressed(balls_[i], balls_[j]))
-                return accelerated_contact<Real>(x - other.position(now), v - other.velocity(now), f.a - other.a, sum,
-                                                 until_ - now, root_solves);
-            return sphere_contact<Real>(x - other.position(now), v - other.velocity(now), sum, root_solves);
+            if (size(a) <= 1e-30 * size(gravity_)) return sphere_contact<Real>(r, w, sum, root_solves);
+            return accelerated_contact<Real>(r, w, a, sum, 2 * (until_ - now), root_solves);  // the end is in it
         }
-        const Face<Real> p = face(j, balls_[i]);
+        const Face<Real> p = balls_.face(j, balls_[i]);
         return plane_contact(snapped(p.gap(x), balls_[i].radius), snapped(dot(p.n, v), size(v)),
                              snapped(dot(p.n, f.a), size(gravity_)), root_solves);
     }
@@ -129,10 +113,10 @@ private:
         ball.next = until_;
         const double now_rounded = static_cast<double>(now);
         double horizon = static_cast<double>(Real(until_ - now));
-        for (BodyId k = count(), end = bodies() + spheres; k < end; ++k) {
-            const BodyId j = k < bodies() ? k : k - bodies();
-            if (j == i || j == support_ || (ball.fixed && (j >= count() || balls_[j].fixed))) continue;
-            if (j < count() && approach(ball, balls_[j], now_rounded).misses(horizon)) continue;
+        for (BodyId k = balls_.count(), end = balls_.bodies() + spheres; k < end; ++k) {
+            const BodyId j = k < balls_.bodies() ? k : k - balls_.bodies();
+            if (j == i || (ball.fixed && balls_.fixed(j)) || balls_.held(i, j)) continue;
+            if (j < balls_.count() && balls_.approach(i, j, now_rounded).misses(horizon)) continue;
             const std::optional<Real> dt = contact_in(i, j, now);
             if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) continue;
             ball.next = now + *dt;
@@ -141,73 +125,94 @@ private:
         }
     }
 
-    /// A third body in contact with i at time t that approaches it before or after i changes its velocity.
-    BodyId also_touched(BodyId i, BodyId other, const Real& t, const Vector<Real>& after) const
+    /// IMPACTS 1 for one contact, IMPACTS 2 for several.
+    void impact(Group<Real> g, const Real& t)
     {
-        const Ball<Real>& ball = balls_[i];
-        if (ball.fixed) return no_body;  // it passes nothing on
-        const Vector<Real> x = ball.flight.position(t), before = ball.flight.velocity(t);
-        const double t_rounded = static_cast<double>(t);
-        const auto closes = [&](const Vector<Real>& n, const Vector<Real>& v) {
-            const Real noise = 1e-30 * size(n) * (size(before) + size(after));
-            return dot(n, before - v) < -noise || dot(n, after - v) < -noise;
-        };
-        for (BodyId j = 0; j < bodies(); ++j) {
-            if (j == i || j == other || j == support_) continue;
-            const double tolerance = declared_.count({std::min(i, j), std::max(i, j)}) > 0 ? declared_tie : tie;
-            if (j >= count()) {
-                const Face<Real> f = face(j, ball);
-                if (f.gap(x) <= tolerance * ball.radius && closes(f.n, {})) return j;
-            } else if (!approach(ball, balls_[j], t_rounded).apart(tolerance * ball.shadow.radius)) {
-                const Flight<Real>& f = balls_[j].flight;
-                const Vector<Real> n = x - f.position(t);
-                const Real gap = sqrt(dot(n, n)) - ball.radius - balls_[j].radius;
-                if (gap <= tolerance * std::min(ball.radius, balls_[j].radius) && closes(n, f.velocity(t))) return j;
-            }
+        Vectors v = balls_.velocities(g, t);
+        const Numbers<Real> before = g.rates(v);
+        const bool low = begins_series(g, before);
+        soften(g, before, low, t);
+        if (const char* limit = beyond(g, low, t)) return stop(limit, g, t);
+        Numbers<Real> x(1, Real(1));
+        if (g.links.size() == 1)
+            impact_alone(g, v);
+        else
+            x = impact_together(g, v);
+        if (x.empty()) return stop("the impact of several contacts was not resolved", g, t);
+        const Ball<Real>& ball = balls_[g.bodies[0]];
+        if (!low || ball.series < 0 || series[ball.series].plane != g.links[0].partner) {
+            list(g, x, t);
+            for (const BodyId i : g.bodies) break_series(balls_[i], t);
         }
-        return no_body;
+        if (low) return bounced(g, v, t);
+        persist(g, v, t);
     }
 
-    /// The pair law of IMPACTS 1, in which e, alpha and attenuation are exact doubles.
-    void impact(BodyId a, BodyId b, const Real& t)
+    /// What is not done here.
+    const char* beyond(const Group<Real>& g, bool low, const Real& t)
     {
-        Ball<Real>& ball = balls_[a];
-        Ball<Real>* other = b < count() ? &balls_[b] : nullptr;
-        const ContactLaw law = contact_law(scene_, a, b);
-        const Vector<Real> va = ball.flight.velocity(t), vb = other ? other->flight.velocity(t) : Vector<Real>();
-        const Vector<Real> r = other ? ball.flight.position(t) - other->flight.position(t) : face(b, ball).n;
-        const bool over = other ? pressed(ball, *other) && faint(Real(dot(va - vb, r)), r, ball.radius)
-                                : snapped(dot(va, r), size(va)) >= 0;
-        if (over) return settle(a, b, t);
-        const Vector<Real> change = velocity_change<Real>(va - vb, r, law);
-        const Real part = other ? share(ball, *other) : Real(1);
-        Vector<Real> after = (va - change * part) * law.attenuation;
-        const Vector<Real> after_b = (vb + change * (1 - part)) * law.attenuation;
+        if (++executed_ > max_impacts) return "more than 2000000 impacts";
+        if (!low && accumulates(g, t)) return "impacts accumulate, which is for the guard";
+        if (g.links.size() == 1) return nullptr;
+        if (g.links.size() > most_contacts) return "more than 128 contacts at one instant";
+        if (scene_.impact.impact_operator != ImpactOperator::reflections)
+            return "several contacts at one instant, for another impact operator than reflections";
+        const auto damps = [](const Link<Real>& l) { return l.law.attenuation != 1; };
+        if (std::any_of(g.links.begin(), g.links.end(), damps))
+            return "several contacts at one instant, with attenuation";
+        return nullptr;
+    }
 
-        BodyId third = also_touched(a, b, t, after);
-        if (third == no_body && other) third = also_touched(b, a, t, after_b);
-        if (support_ != no_body) {  // a slide meets another plane: goes on, or takes off, or would hit both
-            const Vector<Real> n = face(support_, ball).n;
-            const Real w = dot(n, after);
-            if (abs(w) <= still_rounding * size(after))
-                after = after - along(after, n);
-            else if (w < 0)
-                third = support_;
-            else
-                support_ = no_body;
-        }
-        if (third != no_body) return stop("several contacts at one instant", {a, b, third}, t);
-        if (++executed_ > max_impacts) return stop("more than 2000000 impacts", {a, b}, t);
+    /// A bounce of one sphere on one plane that gravity presses it on, lower than `series_below` radii, e < 1.
+    bool begins_series(const Group<Real>& g, const Numbers<Real>& before) const
+    {
+        const Link<Real>& l = g.links[0];
+        if (g.links.size() > 1 || l.partner < balls_.count()) return false;
+        const Real w = l.law.restitution * before[0], pull = -snapped(dot(l.n, gravity_), size(gravity_));
+        return l.law.restitution < 1 && pull > 0 &&
+               w * w < 2 * pull * scene_.rest.series_below * balls_[g.bodies[0]].radius;
+    }
 
-        ball.fly(t, after, support_ == no_body && !ball.fixed ? gravity_ : ball.flight.a);
-        const bool continued = ball.series >= 0 && series[ball.series].plane == b;
-        if (!continued) {
-            impacts.push_back({static_cast<double>(t), other ? std::min(a, b) : a, other ? std::max(a, b) : b});
-            break_series(ball, t);
+    /// e := 0 where all closings are slow, and of contacts that closed a moment ago, unless all e = 1.
+    void soften(Group<Real>& g, const Numbers<Real>& before, bool low, const Real& t)
+    {
+        if (!lossy_ || scene_.rest.policy != RestPolicy::contact) return;
+        bool elastic = true, creeping = true;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            elastic = elastic && g.links[i].law.restitution == 1;
+            creeping = creeping && before[i] > -rest_.closing_speed;
         }
-        if (!other) return bounced(a, b, law, t);
-        other->fly(t, after_b, other->flight.a);
-        break_series(*other, t);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const Pair pair = balls_.pair(g, g.links[i]);
+            const auto last = closed_.find(pair);
+            const bool recent = last != closed_.end() && t - last->second < rest_.window;
+            if (!low && !elastic && (creeping || recent)) g.links[i].law.restitution = 0;
+            if (before[i] < 0) closed_[pair] = t;
+        }
+    }
+
+    /// Whether a sphere had more inelastic impacts within a window than the guard lets pass.
+    bool accumulates(const Group<Real>& g, const Real& t)
+    {
+        const double window = scene_.guard.window.value_or(rest_.numeric_step);
+        const auto loses = [](const Link<Real>& l) { return l.law.restitution < 1; };
+        bool many = false;
+        for (const BodyId i : g.bodies) {
+            Ball<Real>& ball = balls_[i];
+            if (t - ball.window > window) ball.window = t, ball.impacts = 0;
+            many = many || ++ball.impacts > scene_.guard.impacts;
+        }
+        return many && std::any_of(g.links.begin(), g.links.end(), loses);
+    }
+
+    void list(const Group<Real>& g, const Numbers<Real>& x, const Real& t)
+    {
+        const Real most = *std::max_element(x.begin(), x.end());
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const BodyId a = g.bodies[g.links[i].a], b = g.links[i].partner;
+            if (x[i] <= noise * most) continue;
+            impacts.push_back({static_cast<double>(t), b < balls_.count() ? std::min(a, b) : a, std::max(a, b)});
+        }
     }
 
     void break_series(Ball<Real>& ball, const Real& t)
@@ -216,47 +221,56 @@ private:
         ball.series = -1;
     }
 
-    /// A bounce with e < 1 against the acceleration may begin a series, or end it.
-    void bounced(BodyId a, BodyId b, const ContactLaw& law, const Real& t)
+    /// A bounce of a series, perhaps its first, or so low that it is the last.
+    void bounced(const Group<Real>& g, Vectors v, const Real& t)
     {
-        Ball<Real>& ball = balls_[a];
-        const Vector<Real> n = face(b, ball).n;
-        const Real w = dot(n, ball.flight.v), g = -snapped(dot(n, ball.flight.a), size(gravity_)), e = law.restitution;
-        if (e >= 1 || g <= 0 || w * w >= 2 * g * scene_.rest.series_below * ball.radius) return;
+        Ball<Real>& ball = balls_[g.bodies[0]];
+        const Link<Real>& l = g.links[0];
+        const Real w = dot(l.n, v[0]), pull = -dot(l.n, gravity_), e = l.law.restitution;
         if (ball.series < 0) {
-            const Real end = t + 2 * w / (g * (1 - e));
+            const Real end = t + 2 * w / (pull * (1 - e));
             ball.series = static_cast<std::ptrdiff_t>(series.size());
-            series.push_back({static_cast<double>(t), static_cast<double>(end), a, b, static_cast<double>(w),
-                              law.restitution, static_cast<double>(g)});
+            series.push_back({static_cast<double>(t), static_cast<double>(end), g.bodies[0], l.partner,
+                              static_cast<double>(w), l.law.restitution, static_cast<double>(pull)});
         }
-        if (w * w <= 2 * g * lowest_bounce * ball.radius) settle(a, b, t);
+        if (w * w > 2 * pull * lowest_bounce * ball.radius) return ball.fly(t, v[0], gravity_);
+        ball.series = -1;
+        // Infinitely many bounces with friction leave nothing of the velocity along the plane.
+        v[0] = e > 0 && l.law.tangential < 1 ? Vector<Real>() : v[0] - along(v[0], l.n);
+        persist(g, v, t);
     }
 
-    /// Persistent contact, of a lone sphere with one plane: what is left of velocity and gravity is along the plane.
-    void settle(BodyId a, BodyId b, const Real& t)
+    /// Contacts that v leaves closed and still persist, if forces keep them so; all bodies fly on from t.
+    void persist(const Group<Real>& g, const Vectors& v, const Real& t)
     {
-        if (count() > 1 || support_ != no_body)
-            return stop(count() > 1 ? "with several spheres the reference ends at the first rest"
-                                    : "the reference ends where a resting sphere rests on a second plane too",
-                        {a, b}, t);
-        Ball<Real>& ball = balls_[a];
-        // Infinitely many bounces with friction leave nothing of the velocity along the plane.
-        const bool stuck =
-            ball.series >= 0 && series[ball.series].restitution > 0 && contact_law(scene_, a, b).tangential < 1;
-        const Vector<Real> n = face(b, ball).n, v = stuck ? Vector<Real>() : ball.flight.velocity(t);
-        const Vector<Real> v_t = v - along(v, n), g_t = gravity_ - along(gravity_, n);
-        ball.fly(t, size(v_t) <= 1e-30 * size(v) ? Vector<Real>() : v_t,
-                 size(g_t) <= 1e-30 * size(gravity_) ? Vector<Real>() : g_t);
-        ball.series = -1;
-        support_ = b;
+        const Numbers<Real> c = g.rates(v);
+        Group<Real> kept{g.bodies, g.lightness, {}};
+        for (std::size_t i = 0; i < c.size(); ++i) {
+            const Link<Real>& l = g.links[i];
+            balls_.hold(balls_.pair(g, l), false);
+            if (c[i] <= balls_.slow(v[l.a], l.b == immovable ? Vector<Real>() : v[l.b])) kept.links.push_back(l);
+        }
+        if (!kept.links.empty() && scene_.rest.policy != RestPolicy::contact)
+            return stop("contacts persist, which the rest policy leaves out", g, t);
+        if (kept.links.size() > most_contacts) return stop("more than 128 contacts that persist together", g, t);
+        const Persistence<Real> next = persistence(kept, v, gravity_);
+        if (next.turns) return stop("contacts carry force while their normals turn, which has no closed form", g, t);
+        for (std::size_t i = 0; i < kept.links.size(); ++i)
+            balls_.hold(balls_.pair(g, kept.links[i]), next.persists[i]);
+        for (std::size_t k = 0; k < v.size(); ++k) {
+            Ball<Real>& ball = balls_[g.bodies[k]];
+            ball.supported = balls_.supported(g.bodies[k]);
+            ball.fly(t, next.v[k], next.a[k]);
+        }
     }
 
     const Scene& scene_;
     Real until_;
     Vector<Real> gravity_;
-    std::vector<Ball<Real>> balls_;
-    std::set<std::pair<BodyId, BodyId>> declared_;
-    BodyId support_ = no_body;  ///< plane in persistent contact with a lone sphere
+    RestThresholds rest_;
+    Contacts<Real> balls_;
+    bool lossy_ = false;           ///< e < 1 somewhere
+    std::map<Pair, Real> closed_;  ///< when contacts closed last
     std::int64_t executed_ = 0;
     std::string reason_;
     Real stopped_at_ = 0;

@@ -77,7 +77,8 @@ std::optional<Real> accelerated_contact(const Vector<Real>& r, const Vector<Real
                                         const Real& sum, const Real& end, std::int64_t& roots)
 {
     const Real scale = sum * sum, rr = dot(r, r), rv = snapped(dot(r, v), sum * size(v));
-    Polynomial<Real> p{snapped(rr - scale, scale), 2 * rv, dot(v, v) + dot(r, a), dot(v, a), dot(a, a) / 4};
+    Polynomial<Real> p{snapped(rr - scale, scale), 2 * rv, snapped(dot(v, v) + dot(r, a), sum * size(a)), dot(v, a),
+                       dot(a, a) / 4};
     if (p[0] <= 0) {  // closed: now if it falls, else after it has opened
         if (rv < 0 || (rv == 0 && p[2] < 0)) return Real(0);
         if (p[0] == 0) p.erase(p.begin());

@@ -17,7 +17,7 @@ using High = reference::Decimal<100>;
 struct Twin {
     reference::Integrator<Low> low;
     reference::Integrator<High> high;
-    std::size_t spheres;
+    BodyId spheres;
 
     void advance(double t)
     {
@@ -29,7 +29,7 @@ struct Twin {
     double sample(double t, std::vector<BodyState>& states)
     {
         High apart2 = 0, far2 = 0;
-        for (std::size_t i = 0; i < spheres; ++i) {
+        for (BodyId i = 0; i < spheres; ++i) {
             const reference::Vector<Low> x50 = low.flight(i).position(t);
             const reference::Flight<High>& f = high.flight(i);
             const reference::Vector<High> x = f.position(t);
@@ -64,7 +64,7 @@ Reference make_reference(const Scene& scene, double until, std::span<const doubl
     double limit = std::numeric_limits<double>::infinity();
     for (const Sphere& s : scene.spheres) limit = std::min(limit, 1e-6 * s.radius);
 
-    Twin twin{{scene, until}, {scene, until}, scene.spheres.size()};
+    Twin twin{{scene, until}, {scene, until}, static_cast<BodyId>(scene.spheres.size())};
     double good = 0;
     // The end is looked at like a sample: what lies between the last sample and it is covered by a bound, too.
     for (std::size_t k = 0; k <= sample_times.size(); ++k) {

@@ -44,8 +44,9 @@ struct Reference {
 };
 
 /// \pre the scene is valid. The end is the first sample at which the bound exceeds 1e-6 of the smallest radius, or the
-/// first instant that the integrator does not model (several contacts at once, rest among several spheres): `reason`
-/// says which.
+/// first instant beyond which there is no closed form: contacts that carry force while their normals turn, impacts that
+/// the guard takes over, rest under another policy than `contact`, several contacts at once for another operator than
+/// `reflections` or with attenuation, or more than 128 of them. `reason` says which, who and when.
 Reference make_reference(const Scene& scene, double until, std::span<const double> sample_times);
 
 }  // namespace carom

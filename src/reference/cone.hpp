@@ -1,0 +1,107 @@
+/// \file
+/// Complementarity problems of a few contacts, dense, in multiprecision. G = A^T A is the coupling of contacts.
+#pragma once
+
+#include "reference/limits.hpp"
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace carom::reference {
+
+template <class Real>
+using Numbers = std::vector<Real>;
+template <class Real>
+using Matrix = std::vector<Numbers<Real>>;
+using Chosen = std::vector<std::size_t>;
+
+inline Chosen first(std::size_t n)
+{
+    Chosen all(n);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+/// G x + c.
+template <class Real>
+Numbers<Real> residual(const Matrix<Real>& G, const Numbers<Real>& x, Numbers<Real> c)
+{
+    for (std::size_t i = 0; i < c.size(); ++i)
+        for (std::size_t j = 0; j < x.size(); ++j)
+            if (x[j] != 0) c[i] += G[i][j] * x[j];
+    return c;
+}
+
+/// x with (G x + c)_i = 0 and x_i = 0 elsewhere, i chosen. What depends on contacts chosen before it gets 0.
+template <class Real>
+Numbers<Real> balance(const Matrix<Real>& G, const Numbers<Real>& c, const Chosen& chosen)
+{
+    const std::size_t n = chosen.size();
+    Matrix<Real> U(n, Numbers<Real>(n + 1));
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) U[i][j] = G[chosen[i]][chosen[j]];
+        U[i][n] = -c[chosen[i]];
+    }
+    const auto depends = [&](std::size_t k) { return U[k][k] <= dependent * G[chosen[k]][chosen[k]]; };
+    for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t i = k + 1; i < n && !depends(k); ++i) {
+            if (U[i][k] == 0) continue;
+            const Real f = U[i][k] / U[k][k];
+            for (std::size_t j = k; j <= n; ++j)
+                if (U[k][j] != 0) U[i][j] -= f * U[k][j];
+        }
+    Numbers<Real> x(c.size(), Real(0));
+    for (std::size_t k = n; k-- > 0;) {
+        if (depends(k)) continue;
+        for (std::size_t j = k + 1; j < n; ++j) U[k][n] -= U[k][j] * x[chosen[j]];
+        x[chosen[k]] = U[k][n] / U[k][k];
+    }
+    return x;
+}
+
+/// x >= 0 with G x + c >= 0 (to `least`) and x.(G x + c) = 0: Lawson and Hanson, Solving Least Squares Problems (1974),
+/// chapter 23, on G; first all contacts are tried together.
+template <class Real>
+Numbers<Real> complement(const Matrix<Real>& G, const Numbers<Real>& c, const Real& least)
+{
+    const std::size_t m = c.size(), most = 10 * m + 10;
+    Numbers<Real> x = balance(G, c, first(m));
+    if (std::all_of(x.begin(), x.end(), [](const Real& value) { return value >= 0; })) return x;
+    x.assign(m, Real(0));
+    Chosen P;
+    std::vector<bool> barred(m, false);  // in P, or found to depend on it
+    for (std::size_t step = 0; step < most; ++step) {
+        const Numbers<Real> y = residual(G, x, c);
+        std::size_t next = m;
+        for (std::size_t i = 0; i < m; ++i)
+            if (!barred[i] && y[i] < -least && (next == m || y[i] < y[next])) next = i;
+        if (next == m) break;
+        P.push_back(next);
+        Numbers<Real> z = balance(G, c, P);
+        if (z[next] <= 0) {
+            P.pop_back();
+            barred[next] = true;
+            continue;
+        }
+        for (;;) {
+            std::size_t blocks = m;
+            Real part = 1;
+            for (const std::size_t i : P) {
+                if (z[i] > 0) continue;
+                const Real s = x[i] > z[i] ? Real(x[i] / (x[i] - z[i])) : Real(0);
+                if (blocks == m || s < part) part = s, blocks = i;
+            }
+            for (std::size_t i = 0; i < m; ++i) x[i] += part * (z[i] - x[i]);
+            if (blocks == m) break;
+            x[blocks] = 0;
+            std::erase(P, blocks);
+            z = balance(G, c, P);
+        }
+        barred.assign(m, false);
+        for (const std::size_t i : P) barred[i] = true;
+    }
+    return x;
+}
+
+}  // namespace carom::reference

@@ -1,0 +1,124 @@
+/// \file
+/// The spheres of a run, where they touch each other and planes, and which of these contacts persist.
+#pragma once
+
+#include "reference/group.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace carom::reference {
+
+using Pair = std::pair<BodyId, BodyId>;  ///< the smaller id first
+
+template <class Real>
+class Contacts {
+public:
+    explicit Contacts(const Scene& scene) : scene_(scene), rest_(rest_thresholds(scene))
+    {
+        for (const Sphere& s : scene.spheres) balls_.emplace_back(s, Vector<Real>(scene.gravity));
+        for (BodyId i = 0; i < count(); ++i) declare(i);
+    }
+
+    BodyId count() const { return static_cast<BodyId>(balls_.size()); }
+    BodyId bodies() const { return scene_.plane_body(scene_.planes.size()); }
+    bool fixed(BodyId b) const { return b >= count() || balls_[b].fixed; }
+    Ball<Real>& operator[](BodyId i) { return balls_[i]; }
+    const Ball<Real>& operator[](BodyId i) const { return balls_[i]; }
+    Face<Real> face(BodyId p, const Ball<Real>& ball) const { return {scene_.planes[p - count()], ball}; }
+    Approach approach(BodyId i, BodyId j, double t) const { return {balls_[i].shadow, balls_[j].shadow, t}; }
+
+    static Pair pair(BodyId a, BodyId b) { return {std::min(a, b), std::max(a, b)}; }
+    static Pair pair(const Group<Real>& g, const Link<Real>& l) { return pair(g.bodies[l.a], l.partner); }
+    /// Whether this contact persists.
+    bool held(BodyId i, BodyId j) const { return !held_.empty() && held_.count(pair(i, j)) > 0; }
+    void hold(const Pair& p, bool persists)
+    {
+        if (persists)
+            held_.insert(p);
+        else
+            held_.erase(p);
+    }
+    bool supported(BodyId i) const
+    {
+        return std::any_of(held_.begin(), held_.end(), [i](const Pair& p) { return p.first == i || p.second == i; });
+    }
+
+    /// Slower than this, a contact is still [length/time].
+    Real slow(const Vector<Real>& v, const Vector<Real>& u) const
+    {
+        return still * rest_.closing_speed + still_rounding * (size(v) + size(u));
+    }
+
+    /// What persistent contacts, and those closed at t, link to the first bodies, which move.
+    Group<Real> group(std::vector<BodyId> first, const Real& t) const
+    {
+        Group<Real> g{std::move(first), {}, {}};
+        const double tolerance = scene_.impact.tie.value_or(tie);
+        for (std::size_t a = 0; a < g.bodies.size(); ++a) {
+            const BodyId i = g.bodies[a];
+            g.lightness.push_back(1 / balls_[i].mass);
+            for (BodyId j = 0; j < bodies(); ++j) {
+                const auto found = std::find(g.bodies.begin(), g.bodies.end(), j);
+                const auto b = static_cast<std::size_t>(found - g.bodies.begin());
+                if (b <= a || !(held(i, j) || touch(i, j, t, tolerance))) continue;
+                g.links.push_back(link(i, j, t));
+                g.links.back().a = a;
+                if (fixed(j)) continue;
+                g.links.back().b = b;
+                if (found == g.bodies.end()) g.bodies.push_back(j);
+            }
+        }
+        return g;
+    }
+    std::vector<Vector<Real>> velocities(const Group<Real>& g, const Real& t) const
+    {
+        std::vector<Vector<Real>> v;
+        for (const BodyId i : g.bodies) v.push_back(balls_[i].flight.velocity(t));
+        return v;
+    }
+
+private:
+    /// Contacts of i that are closed and still at the start.
+    void declare(BodyId i)
+    {
+        for (BodyId j = 0; j < bodies(); ++j) {
+            if (balls_[i].fixed || (j <= i && !fixed(j)) || !touch(i, j, 0, declared_tie)) continue;
+            const Vector<Real> v = balls_[i].flight.v, u = j < count() ? balls_[j].flight.v : Vector<Real>();
+            if (abs(dot(link(i, j, 0).n, v - u)) <= slow(v, u)) held_.insert(pair(i, j));
+        }
+    }
+
+    /// Whether i and j are closer than `tolerance` times the smaller radius at t.
+    bool touch(BodyId i, BodyId j, const Real& t, double tolerance) const
+    {
+        const Ball<Real>& ball = balls_[i];
+        const Vector<Real> x = ball.flight.position(t);
+        if (j >= count()) return face(j, ball).gap(x) <= tolerance * ball.radius;
+        const double reach = tolerance * std::min(ball.shadow.radius, balls_[j].shadow.radius);
+        if (approach(i, j, static_cast<double>(t)).apart(reach)) return false;
+        const Vector<Real> r = x - balls_[j].flight.position(t);
+        return sqrt(dot(r, r)) - ball.radius - balls_[j].radius <= reach;
+    }
+
+    /// Contact of sphere i with body j; places in a group are left to it.
+    Link<Real> link(BodyId i, BodyId j, const Real& t) const
+    {
+        const Ball<Real>& ball = balls_[i];
+        const Vector<Real> r = j < count() ? ball.flight.position(t) - balls_[j].flight.position(t) : face(j, ball).n;
+        return {immovable,
+                immovable,
+                j,
+                r * (1 / sqrt(dot(r, r))),
+                j < count() ? Real(1 / (ball.radius + balls_[j].radius)) : Real(0),
+                contact_law(scene_, i, j)};
+    }
+
+    const Scene& scene_;
+    RestThresholds rest_;
+    std::vector<Ball<Real>> balls_;
+    std::set<Pair> held_;
+};
+
+}  // namespace carom::reference
