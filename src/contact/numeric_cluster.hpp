@@ -42,7 +42,7 @@ struct NumericStep {
     std::vector<double> forces;       ///< by contact, mean over the step [mass length/time^2]
     double correction = 0;            ///< energy that putting back took [energy]
 };
-/// \param h > 0 [time]; \param find_opening look for the first moment at which a contact opens, by bisection
+/// \param h > 0 [time]; \param find_opening look for the first moment at which a contact opens, by false position
 NumericStep numeric_step(const NumericCluster& cluster, double h, bool find_opening);
 
 }  // namespace carom

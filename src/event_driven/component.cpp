@@ -28,28 +28,11 @@ bool comes_first(const Touch& x, const Touch& y)
     return std::tie(x.a, x.b) < std::tie(y.a, y.b);
 }
 
-/// Contact of two bodies, of which `a` can move, at these flights of one instant.
-Touch touch(const State& state, BodyId a, const Flight& fa, BodyId b, const Flight* fb)
-{
-    Touch out{a, b, Vec3::Zero(), 0, false};
-    if (state.is_plane(b)) {
-        const int p = state.plane_index(b);
-        out.normal = facing_normal(state, p, fa.place);
-        out.gap = height_above(state, a, p, fa.place);
-        return out;
-    }
-    const Vec3 r = separation(state.frame, fa.place, fb->place);
-    const double distance = std::sqrt(r.squaredNorm());
-    out.normal = r / distance;
-    out.gap = distance - (state.radius(a) + state.radius(b));
-    return out;
-}
-
 /// Walks along closed contacts, from body to body.
 class Walk {
 public:
     Walk(const State& state, const Key& key, const Neighbourhood& neighbourhood)
-        : state_(state), key_(key), instant_(state, key), neighbourhood_(neighbourhood)
+        : state_(state), key_(key), instant_(state, key), moment_(state, key.time), neighbourhood_(neighbourhood)
     {
         const bool impact = key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact;
         ties_ = impact;
@@ -89,7 +72,7 @@ private:
     void enter(BodyId body)
     {
         if (state_.is_fixed(body) || members_.contains(body)) return;
-        members_.emplace(body, flight_at(state_, body, key_.time));
+        members_.emplace(body, moment_.flight(body));
         frontier_.push_back(body);
     }
 
@@ -99,7 +82,7 @@ private:
         if (member != members_.end()) return member->second;
         const auto other = others_.find(body);
         if (other != others_.end()) return other->second;
-        return others_.emplace(body, flight_at(state_, body, key_.time)).first->second;
+        return others_.emplace(body, moment_.flight(body)).first->second;
     }
 
     Touch closed(BodyId a, BodyId b)
@@ -164,6 +147,7 @@ private:
     const State& state_;
     const Key& key_;
     Instant instant_;
+    Moment moment_;
     const Neighbourhood& neighbourhood_;
     bool ties_ = false;  ///< contacts may close at this very instant
     std::map<BodyId, Flight> members_;
@@ -260,6 +244,22 @@ std::vector<Component> declared_components(const State& state)
         const bool alone = component.contacts.size() == 1 && state.is_plane(component.contacts.front().b);
         if (!alone) out.push_back(std::move(component));
     }
+    return out;
+}
+
+Touch touch(const State& state, BodyId a, const Flight& fa, BodyId b, const Flight* fb)
+{
+    Touch out{a, b, Vec3::Zero(), 0, false};
+    if (state.is_plane(b)) {
+        const int p = state.plane_index(b);
+        out.normal = facing_normal(state, p, fa.place);
+        out.gap = height_above(state, a, p, fa.place);
+        return out;
+    }
+    const Vec3 r = separation(state.frame, fa.place, fb->place);
+    const double distance = std::sqrt(r.squaredNorm());
+    out.normal = r / distance;
+    out.gap = distance - (state.radius(a) + state.radius(b));
     return out;
 }
 

@@ -38,6 +38,9 @@ std::vector<Component> declared_components(const State& state);
 /// Contacts and velocities in the form that operators take, every restitution as the materials have it.
 Cluster cluster_of(const State& state, const Component& component);
 
+/// Contact of two bodies, of which `a` can move, at these flights of one instant. \param fb null for a plane
+Touch touch(const State& state, BodyId a, const Flight& fa, BodyId b, const Flight* fb);
+
 /// An event of a contact; of two spheres the smaller id is the event's a. \param impulse on the touch's a
 Event event_between(EventKind kind, const Touch& touch, const Vec3& impulse);
 

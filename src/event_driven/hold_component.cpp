@@ -37,7 +37,9 @@ public:
     {
         choose_candidates();
         find_forces();
-        open_what_opens();
+        const std::vector<bool> opens = let_open();
+        stop_closing();
+        push_apart(opens);
         bring_to_rest();
         for (const std::vector<std::size_t>& part : parts()) go_on(part);
         std::sort(out_.changes.begin(), out_.changes.end(),
@@ -58,14 +60,24 @@ private:
 
     void choose_candidates()
     {
+        const bool absorbs = loses_energy();
         for (const Touch& t : component_.contacts) {
             const double c = rate(t);
-            persists_.push_back(t.gap <= persistence_gap(state_, t.a, t.b) && c <= slow_);
+            const double most = absorbs ? state_.rest.closing_speed : slow_;
+            persists_.push_back(t.gap <= persistence_gap(state_, t.a, t.b) && c <= std::max(slow_, most));
         }
-        stop_closing();
     }
 
-    /// Candidates neither open nor close from here on: what is left of their speed goes.
+    /// In components with some e < 1 a contact that opens slower than v_c while forces press it comes back slower than
+    /// v_c, and then has no rebound: it persists at once.
+    bool loses_energy() const
+    {
+        return state_.scene.rest.policy == RestPolicy::contact &&
+               std::any_of(component_.contacts.begin(), component_.contacts.end(),
+                           [&](const Touch& t) { return state_.law(t.a, t.b).restitution < 1; });
+    }
+
+    /// What persists neither opens nor closes from here on: what is left of its speed goes.
     void stop_closing()
     {
         const Cluster held = candidates();
@@ -119,15 +131,18 @@ private:
         return (w - w.dot(t.normal) * t.normal).squaredNorm() / (state_.radius(t.a) + state_.radius(t.b));
     }
 
-    void open_what_opens()
+    /// \returns by contact: it opens, from speed 0
+    std::vector<bool> let_open()
     {
+        std::vector<bool> opens(count(), false);
         for (std::size_t i = 0; i < count(); ++i) {
-            if (!persists_[i]) continue;
-            const double enough = std::max(soft_, softest(component_.contacts[i]));
-            if (force_[i] > 0 || opening_[i] <= enough) continue;
-            persists_[i] = false;
-            push_apart(component_.contacts[i]);
+            if (!persists_[i] || force_[i] > 0) continue;
+            const Touch& t = component_.contacts[i];
+            const bool opens_already = rate(t) > slow_;
+            opens[i] = !opens_already && opening_[i] > std::max(soft_, softest(t));
+            if (opens[i] || opens_already) persists_[i] = false;
         }
+        return opens;
     }
     /// Without gravity: what opens a contact by less than its tolerance until the end of the run.
     double softest(const Touch& t) const
@@ -136,14 +151,26 @@ private:
         return length(gravity_) > 0 ? 0 : persistence_gap(state_, t.a, t.b) / time / time;
     }
 
-    /// It opens from speed 0; by rounding that must not look like closing.
-    void push_apart(const Touch& t)
+    /// Contacts open from speed 0; by rounding that must not look like closing to those who predict.
+    void push_apart(const std::vector<bool>& opens)
     {
-        const int a = component_.index_of(t.a), b = component_.index_of(t.b);
-        double nudge = 4 * unit_roundoff * std::max(largest_speed(component_), slow_);
-        for (int i = 0; i < 64 && rate(t) <= 0; ++i, nudge *= 2) {
-            flight(a).velocity += nudge * t.normal;
-            if (b != immovable) flight(b).velocity -= nudge * t.normal;
+        constexpr int most_pushes = 40;
+        double margin = 16 * unit_roundoff * std::max(largest_speed(component_), slow_);
+        for (int n = 0; n < most_pushes; ++n, margin *= 2) {
+            bool all_open = true;
+            std::vector<double> wanted;
+            const Cluster all = cluster_of(state_, component_);
+            Cluster moved{all.bodies, {}};
+            for (std::size_t i = 0; i < count(); ++i) {
+                if (!opens[i] && !persists_[i]) continue;
+                const double c = rate(component_.contacts[i]);
+                moved.contacts.push_back(all.contacts[i]);
+                wanted.push_back(opens[i] ? std::max(margin - c, 0.0) : -c);
+                if (opens[i] && !(c > margin / 2)) all_open = false;
+            }
+            if (all_open) return;
+            const std::vector<Vec3> change = equalising_change(moved, wanted);
+            for (std::size_t k = 0; k < change.size(); ++k) component_.flights[k].velocity += change[k];
         }
     }
 

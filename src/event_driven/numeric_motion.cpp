@@ -55,7 +55,8 @@ NumericMotion numeric_motion(const State& state, const NumericPart& part, const 
     out.correction = step->correction;
     for (std::size_t k = 0; k < part.bodies.size(); ++k) {
         const NumericBody &before = cluster->bodies[k], &after = step->bodies[k];
-        out.pieces.push_back({state.frame.after(now, step->duration), cluster, step, static_cast<int>(k), centre});
+        out.pieces.push_back(
+            {state.frame.after(now, step->duration), Vec3::Zero(), cluster, step, static_cast<int>(k), centre});
         out.accelerations.push_back(
             chord_acceleration(after.position - before.position, before.velocity, step->duration));
     }

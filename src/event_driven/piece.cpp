@@ -4,20 +4,31 @@
 
 namespace carom {
 
-Flight flight_at(const State& state, BodyId body, const EpochTime& now)
+Flight Moment::flight(BodyId body)
 {
-    Flight f = advanced(state, body, now);
-    const auto piece = state.pieces.find(body);
-    if (piece == state.pieces.end() || !piece->second.cluster) return f;
-    const Piece& p = piece->second;
-    if (now == state.flight(body).start) return f;
-    const bool at_end = now == p.end;
-    const NumericStep part =
-        at_end ? *p.step : numeric_step(*p.cluster, state.frame.between(state.flight(body).start, now), false);
-    const NumericBody& at = part.bodies[static_cast<std::size_t>(p.index)];
-    f.place = moved(state.frame, p.centre, at.position);
+    Flight f = advanced(state_, body, now_);
+    const auto found = state_.pieces.find(body);
+    if (found == state_.pieces.end()) return f;
+    const Piece& piece = found->second;
+    if (!piece.cluster) {
+        if (now_ == piece.end) f.velocity = piece.end_velocity;
+        return f;
+    }
+    const EpochTime& start = state_.flight(body).start;
+    if (now_ == start) return f;
+    const NumericBody& at = part(piece, start).bodies[static_cast<std::size_t>(piece.index)];
+    f.place = moved(state_.frame, piece.centre, at.position);
     f.velocity = at.velocity;
     return f;
+}
+
+const NumericStep& Moment::part(const Piece& piece, const EpochTime& start)
+{
+    if (now_ == piece.end) return *piece.step;
+    auto& part = parts_[piece.cluster.get()];
+    if (!part)
+        part = std::make_shared<NumericStep>(numeric_step(*piece.cluster, state_.frame.between(start, now_), false));
+    return *part;
 }
 
 Vec3 chord_acceleration(const Vec3& displacement, const Vec3& velocity, double duration)

@@ -4,11 +4,26 @@
 
 #include "event_driven/state.hpp"
 
+#include <map>
+#include <memory>
+
 namespace carom {
 
-/// The body's flight as if it began at `now`, mid-step integrated anew: more exact than the parabola that stands for
-/// the piece (see `advanced`), which bodies outside the cluster see.
-Flight flight_at(const State& state, BodyId body, const EpochTime& now);
+/// Bodies as they are at one moment, mid-step integrated anew: more exact than the parabola that stands for the piece
+/// (see `advanced`), which bodies outside the cluster see. Each cluster is integrated once.
+class Moment {
+public:
+    Moment(const State& state, const EpochTime& now) : state_(state), now_(now) {}
+    /// The body's flight as if it began now.
+    Flight flight(BodyId body);
+
+private:
+    const NumericStep& part(const Piece& piece, const EpochTime& start);
+
+    const State& state_;
+    const EpochTime now_;
+    std::map<const NumericCluster*, std::shared_ptr<const NumericStep>> parts_;
+};
 
 /// The parabola through the places at both ends of a piece, with the velocity of its beginning [length/time^2].
 Vec3 chord_acceleration(const Vec3& displacement, const Vec3& velocity, double duration);

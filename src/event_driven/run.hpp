@@ -3,6 +3,7 @@
 /// and stamps.)
 #pragma once
 
+#include "event_driven/guard.hpp"
 #include "event_driven/impact_rate.hpp"
 #include "event_driven/ledger.hpp"
 #include "event_driven/motion.hpp"
@@ -10,6 +11,7 @@
 #include "event_driven/resolve_component.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -77,7 +79,10 @@ private:
         if constexpr (requires { &Schedule::bounces; })
             if (schedule_.bounces(state_, horizon(), bounces_at_once(), ledger_) > 0) {
                 now_ = state_.flights[0].start;
-                return limits(key, rate_.accumulates(state_, {now_, key.kind, key.a, key.b}, key.a));
+                Event last;
+                last.a = key.a;
+                last.b = key.b;
+                return after(key, last);
             }
         const Resolution resolution = resolve(state_, key, neighbourhood_);
         if (resolution.coupled) return execute_component(key);
@@ -87,28 +92,49 @@ private:
         for (const Change& change : resolution.changes) ledger_.show_flight(state_, change.body);
         for (const Change& change : resolution.changes)
             schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
-        bool accumulate = false;
-        if (!resolution.events.empty() && resolution.events.front().kind == EventKind::impact)
-            for (const Change& change : resolution.changes)
-                accumulate = rate_.accumulates(state_, key, change.body) || accumulate;
-        return limits(key, accumulate);
+        if (!resolution.events.empty()) return after(key, resolution.events.front());
+        return limits();
     }
 
     /// An event of bodies in several contacts.
     Status execute_component(const Key& key)
     {
         const ComponentResolution resolution = resolve_component(state_, key, neighbourhood_);
+        execute(resolution);
+        // Not to stand still: an event without an impact counts, too.
+        if (key.kind != Scheduled::piece_end && resolution.events.empty()) return watch(key, {key.a, key.b});
+        for (const Event& event : resolution.events)
+            if (const Status status = after(key, event); status != Status::reached_end) return status;
+        return limits();
+    }
+
+    /// What an event leads to: its impacts may accumulate.
+    Status after(const Key& key, const Event& event)
+    {
+        if (event.kind != EventKind::impact || state_.law(event.a, event.b).restitution >= 1) return limits();
+        return watch(key, {event.a, event.b});
+    }
+
+    Status watch(const Key& key, std::array<BodyId, 2> bodies)
+    {
+        for (const BodyId body : bodies) {
+            if (state_.is_plane(body) || state_.is_fixed(body) || !rate_.accumulates(state_, now_, body)) continue;
+            const std::string what =
+                "impacts of " + state_.scene.body_name(key.a) + " and " + state_.scene.body_name(key.b) + " accumulate";
+            if (state_.scene.rest.policy == RestPolicy::none) return stop(Status::zeno, what);
+            if (!state_.scene.guard.on) return stop(Status::unresolved, what + ", and the guard is off");
+            execute(guard(state_, body, now_, neighbourhood_));
+            break;
+        }
+        return limits();
+    }
+
+    void execute(const ComponentResolution& resolution)
+    {
         commit(resolution);
         for (const MemberChange& change : resolution.changes) ledger_.show_flight(state_, change.body);
         for (const MemberChange& change : resolution.changes)
             schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
-        bool accumulate = false;
-        for (const Event& event : resolution.events)
-            if (event.kind == EventKind::impact)
-                for (const BodyId body : {event.a, event.b})
-                    if (!state_.is_plane(body))
-                        accumulate = rate_.accumulates(state_, {now_, key.kind, event.a, event.b}, body) || accumulate;
-        return limits(key, accumulate);
     }
 
     void report(const Event& event)
@@ -167,15 +193,10 @@ private:
         for (const Event& event : resolution.events) report(event);
     }
 
-    Status limits(const Key& key, bool accumulate)
+    Status limits()
     {
-        if (ledger_.events() >= options_.max_events)
-            return stop(Status::event_limit, "the limit of " + std::to_string(options_.max_events) + " events");
-        if (accumulate)
-            return stop(Status::unresolved,
-                        "impacts of " + state_.scene.body_name(key.a) + " and " + state_.scene.body_name(key.b) +
-                            " accumulate: coming to rest on spheres or on several planes is not resolved yet");
-        return Status::reached_end;
+        if (ledger_.events() < options_.max_events) return Status::reached_end;
+        return stop(Status::event_limit, "the limit of " + std::to_string(options_.max_events) + " events");
     }
 
     /// Now and then, also where nothing happens but cell crossings: is there time, and does the observer want more?

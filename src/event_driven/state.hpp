@@ -22,6 +22,7 @@ namespace carom {
 /// A flight of mode numeric: one step of a numeric cluster, or a window of the guard.
 struct Piece {
     EpochTime end;
+    Vec3 end_velocity = Vec3::Zero();  ///< in a window of the guard: that at its end [length/time]
     /// Of which the body is one, as the step began, and the step; null in a window of the guard.
     std::shared_ptr<const NumericCluster> cluster;
     std::shared_ptr<const NumericStep> step;

@@ -1,0 +1,184 @@
+#include "event_driven/guard.hpp"
+
+#include "event_driven/motion.hpp"
+#include "event_driven/piece.hpp"
+#include "impact/contact_forces.hpp"
+#include "stepping/stepping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace carom {
+
+namespace {
+
+class Window {
+public:
+    Window(const State& state, const EpochTime& now, const Neighbourhood& neighbourhood)
+        : state_(state),
+          now_(now),
+          moment_(state, now),
+          neighbourhood_(neighbourhood),
+          gravity_(state.accelerations[state.accelerations.free()]),
+          length_(state.scene.guard.window.value_or(state.rest.numeric_step))
+    {
+    }
+
+    ComponentResolution go(BodyId body)
+    {
+        collect(body);
+        const std::vector<BodyState> end =
+            state_.scene.guard.fallback == GuardFallback::moreau ? moreau_step() : discrete_step();
+        ComponentResolution out;
+        out.taken.guard = energy_taken(end);
+        for (std::size_t k = 0; k < component_.bodies.size(); ++k) out.changes.push_back(straight(k, end[k]));
+        out.events.push_back({EventKind::guard, {}, 0, component_.bodies.front(), no_body, Vec3::Zero(), Vec3::Zero()});
+        return out;
+    }
+
+private:
+    /// Contacts that could close within the window if nothing held them; bodies nearly in contact join.
+    void collect(BodyId first)
+    {
+        constexpr double near = 1e-3;  // of the smaller radius
+        std::map<BodyId, Flight> members{{first, moment_.flight(first)}};
+        std::vector<BodyId> frontier{first};
+        std::set<std::pair<BodyId, BodyId>> found;
+        while (!frontier.empty()) {
+            const BodyId body = frontier.back();
+            frontier.pop_back();
+            const Flight own = members.at(body);
+            for (std::size_t p = 0; p < state_.scene.planes.size(); ++p) {
+                const Touch t = touch(state_, body, own, state_.scene.plane_body(p), nullptr);
+                if (may_close(t, own.velocity + length_ * gravity_, near * state_.radius(body)))
+                    component_.contacts.push_back(t);
+            }
+            const auto span = neighbourhood_(body);
+            for (const BodyId other : std::vector<BodyId>(span.begin(), span.end())) {
+                const auto pair = std::minmax(body, other);
+                if (found.contains(pair)) continue;
+                const Flight its = moment_.flight(other);
+                const double margin = near * std::min(state_.radius(body), state_.radius(other));
+                const bool fixed = state_.is_fixed(other);
+                const bool ordered = fixed || body < other;
+                const Touch t = ordered ? touch(state_, body, own, other, &its) : touch(state_, other, its, body, &own);
+                const Vec3 relative = own.velocity - its.velocity + (fixed ? Vec3(length_ * gravity_) : Vec3::Zero());
+                if (t.gap > margin || !may_close(t, ordered ? relative : Vec3(-relative), margin)) continue;
+                found.insert(pair);
+                component_.contacts.push_back(t);
+                if (!fixed && members.emplace(other, its).second) frontier.push_back(other);
+            }
+        }
+        for (const auto& [body, flight] : members) {
+            component_.bodies.push_back(body);
+            component_.flights.push_back(flight);
+        }
+    }
+
+    bool may_close(const Touch& t, const Vec3& relative, double margin) const
+    {
+        return t.gap + length_ * t.normal.dot(relative) < margin;
+    }
+
+    std::vector<BodyState> moreau_step() const
+    {
+        Cluster cluster = cluster_of(state_, component_);
+        for (ClusterBody& body : cluster.bodies) body.velocity += length_ * gravity_;
+        std::vector<double> allowed;
+        for (const Touch& t : component_.contacts) allowed.push_back(std::max(t.gap, 0.0) / length_);
+        // The same problem as that of forces, with velocities: 0 <= lambda _|_ c+ + gap/h >= 0.
+        const std::vector<Vec3> after =
+            component_.contacts.empty() ? velocities(cluster) : solve_contact_forces(cluster, allowed).accelerations;
+        std::vector<BodyState> out;
+        for (std::size_t k = 0; k < after.size(); ++k) out.push_back({length_ * after[k], after[k], Mode::numeric});
+        return out;
+    }
+
+    static std::vector<Vec3> velocities(const Cluster& cluster)
+    {
+        std::vector<Vec3> out;
+        for (const ClusterBody& body : cluster.bodies) out.push_back(body.velocity);
+        return out;
+    }
+
+    /// A scene of the members, and of what they could meet, in one step of another method. \returns displacements and
+    /// velocities
+    std::vector<BodyState> discrete_step() const
+    {
+        const Place& centre = component_.flights.front().place;
+        const auto at = [&](const Place& place) { return separation(state_.frame, place, centre); };
+        Scene scene = state_.scene;
+        scene.spheres.clear();
+        for (std::size_t k = 0; k < component_.bodies.size(); ++k) {
+            scene.spheres.push_back(state_.sphere(component_.bodies[k]));
+            scene.spheres.back().position = at(component_.flights[k].place);
+            scene.spheres.back().velocity = component_.flights[k].velocity;
+        }
+        std::set<BodyId> fixed;
+        for (const Touch& t : component_.contacts)
+            if (!state_.is_plane(t.b) && state_.is_fixed(t.b) && fixed.insert(t.b).second) {
+                scene.spheres.push_back(state_.sphere(t.b));
+                scene.spheres.back().position = at(state_.flight(t.b).place);
+            }
+        for (Plane& plane : scene.planes) plane.offset = -signed_height(state_.frame, plane, centre).high;
+        scene.end_time = length_;
+        StepOptions options;
+        options.dt = length_;
+        const Outcome step = state_.scene.guard.fallback == GuardFallback::pbd
+                                 ? run_stepping(scene, PositionBased{{options}}, {}, {})
+                                 : run_stepping(scene, VelocityBased{{options}}, {}, {});
+        std::vector<BodyState> out;
+        for (std::size_t k = 0; k < component_.bodies.size(); ++k)
+            out.push_back({step.final[k].position - scene.spheres[k].position, step.final[k].velocity, Mode::numeric});
+        return out;
+    }
+
+    double energy_taken(const std::vector<BodyState>& end) const
+    {
+        double taken = 0;
+        for (std::size_t k = 0; k < end.size(); ++k) {
+            const Vec3& before = component_.flights[k].velocity;
+            taken += ((before.squaredNorm() - end[k].velocity.squaredNorm()) / 2 + gravity_.dot(end[k].position)) /
+                     state_.inverse_mass(component_.bodies[k]);
+        }
+        return taken;
+    }
+
+    MemberChange straight(std::size_t k, const BodyState& end) const
+    {
+        MemberChange out;
+        out.body = component_.bodies[k];
+        out.flight = component_.flights[k];
+        out.flight.start = now_;
+        out.flight.velocity = end.position / length_;
+        out.flight.acceleration = Accelerations::none;
+        out.flight.support = several_supports;
+        out.flight.mode = Mode::numeric;
+        for (const Touch& t : component_.contacts) {
+            if (t.a == out.body) out.contacts.push_back({t.b, 0});
+            if (t.b == out.body) out.contacts.push_back({t.a, 0});
+        }
+        out.piece.end = state_.frame.after(now_, length_);
+        out.piece.end_velocity = end.velocity;
+        return out;
+    }
+
+    const State& state_;
+    const EpochTime now_;
+    Moment moment_;
+    const Neighbourhood& neighbourhood_;
+    const Vec3 gravity_;
+    const double length_;  ///< of the window, h [time]
+    Component component_;
+};
+
+}  // namespace
+
+ComponentResolution guard(const State& state, BodyId body, const EpochTime& now, const Neighbourhood& neighbourhood)
+{
+    return Window(state, now, neighbourhood).go(body);
+}
+
+}  // namespace carom
