@@ -57,16 +57,16 @@ struct Naive : StepOptions {
 };
 
 /// Moreau-Jean time stepping: one complementarity problem for all contacts of a step, by projected Gauss-Seidel
-/// (Moreau 1988).
+/// (Moreau 1988). `passes` has no meaning here.
 struct Moreau : StepOptions {
     static constexpr std::string_view method_name = "moreau";
     int sweeps = 100;  ///< >= 1, of Gauss-Seidel, at most
 };
 
 /// Each alternative says what users call it, `method_name`; names, help texts and messages follow from this list.
-using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive>;
+using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive, Moreau>;
 
-/// What users call it: "event", "pbd", "velocity", "bisection", "naive".
+/// What users call it: "event", "pbd", "velocity", "bisection", "naive", "moreau".
 std::string_view name(const Method& method);
 /// All method names, in the order of the variant.
 const std::vector<std::string>& method_names();

@@ -43,7 +43,7 @@ std::string known_method(const std::string& word)
 {
     const std::vector<std::string>& known = method_names();
     if (std::find(known.begin(), known.end(), word) != known.end()) return word;
-    if (word == "moreau" || word == "penalty") throw std::invalid_argument(word + ": not yet");
+    if (word == "penalty") throw std::invalid_argument(word + ": not yet");
     const std::string near = io::nearest(word, known);
     throw std::invalid_argument(fmt::format("unknown method \"{}\" ({}take {})", word,
                                             near.empty() ? "" : "did you mean \"" + near + "\"? ",

@@ -61,7 +61,7 @@ std::optional<OptionValue> as_option(const Place& place, Problems& problems)
 
 void check_methods(const Place& place, Problems& problems)
 {
-    const std::vector<std::string> later{"moreau", "penalty"};
+    const std::vector<std::string> later{"penalty"};
     if (place.value->kind == Json::Kind::array)
         for (const auto& entry : as_list(place, problems)) as_word(entry, method_names(), later, problems);
 }
@@ -81,7 +81,7 @@ CommandDefaults read_defaults(const Place& section, const CommandOptions& option
             problems.add(place.pointer, "unknown key" + suggestion(key, options.now, "options of " + options.command));
         } else {
             if (key == "methods") check_methods(place, problems);
-            if (key == "method") as_word(place, method_names(), {"moreau", "penalty"}, problems);
+            if (key == "method") as_word(place, method_names(), {"penalty"}, problems);
             if (auto value = as_option(place, problems)) defaults.emplace(key, *std::move(value));
         }
     }

@@ -19,19 +19,6 @@ Vec3 relative_velocity(const Bodies& bodies, const Contact& c)
     return is_wall(bodies, c) ? va : Vec3(va - bodies.velocity[index(c.b)]);
 }
 
-/// Mass that a change of relative velocity meets: m of the sphere at a wall, the reduced mass between spheres.
-double effective_mass(const Bodies& bodies, const Contact& c)
-{
-    if (is_wall(bodies, c)) return bodies.mass[index(c.a)];
-    return 1 / (bodies.inverse_mass[index(c.a)] + bodies.inverse_mass[index(c.b)]);
-}
-
-void apply(Bodies& bodies, const Contact& c, const Vec3& impulse)
-{
-    bodies.velocity[index(c.a)] += bodies.inverse_mass[index(c.a)] * impulse;
-    if (!is_wall(bodies, c)) bodies.velocity[index(c.b)] -= bodies.inverse_mass[index(c.b)] * impulse;
-}
-
 Impulse respond_at_wall(Bodies& bodies, const Contact& c, const ContactLaw& law)
 {
     Vec3& v = bodies.velocity[index(c.a)];
@@ -64,17 +51,50 @@ Impulse respond_between_spheres(Bodies& bodies, const Contact& c, const ContactL
 
 }  // namespace
 
+double effective_mass(const Bodies& bodies, const Contact& c)
+{
+    if (is_wall(bodies, c)) return bodies.mass[index(c.a)];
+    return 1 / (bodies.inverse_mass[index(c.a)] + bodies.inverse_mass[index(c.b)]);
+}
+
+void apply(Bodies& bodies, const Contact& c, const Vec3& impulse)
+{
+    bodies.velocity[index(c.a)] += bodies.inverse_mass[index(c.a)] * impulse;
+    if (!is_wall(bodies, c)) bodies.velocity[index(c.b)] -= bodies.inverse_mass[index(c.b)] * impulse;
+}
+
+Impulse damp(Bodies& bodies, const Contact& c, const ContactLaw& law)
+{
+    Impulse impulse;
+    if (law.tangential < 1) {
+        const Vec3 v = relative_velocity(bodies, c);
+        impulse.on_a = ((law.tangential - 1) * effective_mass(bodies, c)) * (v - v.dot(c.normal) * c.normal);
+        apply(bodies, c, impulse.on_a);
+    }
+    if (law.attenuation != 1 && !is_wall(bodies, c)) {
+        bodies.velocity[index(c.a)] *= law.attenuation;
+        bodies.velocity[index(c.b)] *= law.attenuation;
+    }
+    return impulse;
+}
+
 double normal_velocity(const Bodies& bodies, const Contact& contact)
 {
     return relative_velocity(bodies, contact).dot(contact.normal);
 }
 
-Impulse respond(Bodies& bodies, const LawTable& laws, const Contact& contact)
+const ContactLaw& law_of(const Bodies& bodies, const LawTable& laws, const Contact& contact)
 {
     const int material = bodies.material[index(contact.a)];
-    if (is_wall(bodies, contact))
-        return respond_at_wall(bodies, contact, laws.plane(material, index(contact.b) - bodies.size()));
-    return respond_between_spheres(bodies, contact, laws.spheres(material, bodies.material[index(contact.b)]));
+    if (is_wall(bodies, contact)) return laws.plane(material, index(contact.b) - bodies.size());
+    return laws.spheres(material, bodies.material[index(contact.b)]);
+}
+
+Impulse respond(Bodies& bodies, const LawTable& laws, const Contact& contact)
+{
+    const ContactLaw& law = law_of(bodies, laws, contact);
+    return is_wall(bodies, contact) ? respond_at_wall(bodies, contact, law)
+                                    : respond_between_spheres(bodies, contact, law);
 }
 
 Impulse cancel_normal(Bodies& bodies, const Contact& contact)

@@ -23,5 +23,7 @@ Outcome run_stepping(const Scene& scene, const VelocityBased& method, const RunO
 Outcome run_stepping(const Scene& scene, const Bisection& method, const RunOptions& options, const Observer& observer);
 /// `passes` has no meaning here: the response flips velocities whenever it is applied, so twice would be never.
 Outcome run_stepping(const Scene& scene, const Naive& method, const RunOptions& options, const Observer& observer);
+/// `passes` has no meaning here: contacts are solved together, to convergence or `sweeps`.
+Outcome run_stepping(const Scene& scene, const Moreau& method, const RunOptions& options, const Observer& observer);
 
 }  // namespace carom

@@ -40,6 +40,7 @@ inline std::vector<Claims> methods()
         {"velocity", VelocityBased{steps}},
         {"bisection", Bisection{steps}, true, false, true, true},
         {"naive", Naive{steps}, true},
+        {"moreau", Moreau{steps}, true},
     };
 }
 

@@ -154,12 +154,11 @@ TEST_CASE("what belongs to later versions is refused and not in the help", "[arg
 {
     std::string help = parse_arguments({"-h"}).out;
     for (const char* command : {"run", "compare", "stress", "scenes"}) help += parse_arguments({command, "-h"}).out;
-    for (const char* word :
-         {"tunnel", "view", "export", "query", "--save-state", "--equilibrate", "moreau", "penalty"}) {
+    for (const char* word : {"tunnel", "view", "export", "query", "--save-state", "--equilibrate", "penalty"}) {
         CAPTURE(word);
         CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
         const bool option = word[0] == '-';
-        if (std::string(word) == "moreau" || std::string(word) == "penalty") continue;
+        if (std::string(word) == "penalty") continue;
         const ParseResult result = parse_arguments(option ? std::vector<std::string>{"run", "ball", word}
                                                           : std::vector<std::string>{word, "ball"});
         CHECK(result.exit_code == exit_usage);
@@ -272,10 +271,14 @@ TEST_CASE("a run's method takes its step from the options", "[choices]")
 
 TEST_CASE("a wrong value is a usage error if typed and a scene error if written in the scene", "[choices]")
 {
-    const std::vector<std::pair<std::string, std::string>> wrong{{"dt", "0"},           {"dt", "x"},
-                                                                 {"substeps", "0"},     {"order", "best"},
-                                                                 {"until", "-1"},       {"methods", "event,magic"},
-                                                                 {"methods", "moreau"}, {"repeats", "0.5"}};
+    const std::vector<std::pair<std::string, std::string>> wrong{{"dt", "0"},
+                                                                 {"dt", "x"},
+                                                                 {"substeps", "0"},
+                                                                 {"order", "best"},
+                                                                 {"until", "-1"},
+                                                                 {"methods", "event,magic"},
+                                                                 {"methods", "penalty"},
+                                                                 {"repeats", "0.5"}};
     for (const auto& [key, text] : wrong) {
         CAPTURE(key, text);
         CompareArguments args;
