@@ -218,7 +218,7 @@ TEST_CASE("rows that are missing, doubled or out of order are damage", "[recordi
           "INSERT INTO meta VALUES ('extra', '1')", "UPDATE frame SET cell_size = 2 * cell_size",
           "DELETE FROM bodies WHERE kind = 'planes'", "UPDATE bodies SET count = count + 1", "DELETE FROM scene",
           "UPDATE scene SET document = x'00'", "UPDATE chunks SET last_offset = last_offset / 2 WHERE seq = 3",
-          "UPDATE chunks SET count = '7' WHERE seq = 3", "CREATE TABLE more(x)", "PRAGMA user_version = 2",
+          "UPDATE chunks SET count = '7' WHERE seq = 3", "CREATE TABLE more(x)", "PRAGMA user_version = 1",
           "PRAGMA application_id = 1", "UPDATE chunks SET highest_body = 101 WHERE seq = 1"}) {
         std::filesystem::copy_file(file, changed, std::filesystem::copy_options::overwrite_existing);
         run_sql(changed, sql);
