@@ -110,7 +110,8 @@ void ImpactAudit::check_speed(const Before& b, const Path& after)
         if (const double without = (v - expected).high; several && std::abs(without) < std::abs(unexplained[k]))
             unexplained[k] = without;
     }
-    if (b.path.mode == Mode::numeric) {
+    // Where no closed form stood for what happened, and where the guard's straight line does, speeds jump.
+    if (b.path.mode == Mode::numeric || after.guarded) {
         const double kick = unexplained.norm() * data_.units.length / data_.units.time;
         return Findings::keep_largest(findings_.out.largest_numeric_kick, kick);
     }

@@ -108,8 +108,9 @@ void InstantBodies::connect(std::span<const Event> events)
         b.group = root(i);
         Group& group = groups_[b.group];
         group.speeds += b.speed_size.norm();
-        group.coupled = group.coupled || is_coupled(b.path) || is_coupled(flights_.path(b.body));
-        group.loose = group.loose || b.series || !b.follows || b.path.mode == Mode::numeric;
+        const Path after = flights_.path(b.body);
+        group.coupled = group.coupled || is_coupled(b.path) || is_coupled(after);
+        group.loose = group.loose || b.series || !b.follows || b.path.mode == Mode::numeric || after.guarded;
     }
     for (const Event& e : events) {
         if (e.impulse.isZero(0) || e.kind != EventKind::impact) continue;
