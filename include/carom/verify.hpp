@@ -44,6 +44,8 @@ struct RecordedRun {
     std::vector<ContactRule> contacts;  ///< in the order of the scene
     std::vector<Plane> planes;          ///< ids are not needed
     std::vector<RecordedSphere> spheres;
+    double closing_speed = 0;           ///< v_c: where some e < 1, slower impacts may be inelastic, >= 0 [length/time]
+    double window = 0;                  ///< tau_p: so may those of contacts that closed less than this ago, >= 0 [time]
     std::vector<RecordedStart> starts;  ///< by sphere; gone after FlightSource::forget_starts
     /// The run claims flights in double-double: gap >= min(0, initial gap) exactly. Otherwise gap >= -16 eps max(r1 +
     /// r2, distance flown) is what it promises.
@@ -72,9 +74,12 @@ public:
 
 /// Time that bodies spent, all bodies added, by what could be certified of the flights of that time.
 struct CertifiedSeconds {
-    double exact = 0;          ///< gap >= min(0, initial gap) [time]
-    double bounded = 0;        ///< gap >= -16 eps max(r1 + r2, distance flown) [time]
-    double not_certified = 0;  ///< neither could be shown, nor a violation [time]
+    double exact = 0;       ///< gap >= min(0, initial gap) [time]
+    double bounded = 0;     ///< gap >= -16 eps max(r1 + r2, distance flown) [time]
+    double in_contact = 0;  ///< in persistent contact with spheres or several planes: gap >= -1e-9 r [time]
+    double numeric = 0;  ///< pieces that no closed form gives, and who touched one: Certificate::numeric_depth [time]
+    double guarded = 0;  ///< windows of the guard: Certificate::guarded_depth [time]
+    double not_certified = 0;  ///< none of these could be shown, nor a violation [time]
 };
 
 /// What is wrong with a run.
@@ -101,6 +106,14 @@ struct Certificate {
     double largest_momentum_error = 0;  ///< beside the momenta of the impact [1]
     double largest_energy_error = 0;    ///< against the contact law, beside the kinetic energy of the impact [1]
     double largest_law_error = 0;  ///< of the impulse against the contact law, beside the momenta of the impact [1]
+    std::int64_t clusters = 0;     ///< impacts of several connected contacts at one instant
+    std::int64_t rests_on_spheres = 0;     ///< events of kind rest between two spheres
+    std::int64_t releases_of_spheres = 0;  ///< events of kind release between two spheres
+    std::int64_t guards = 0;               ///< events of kind guard
+    double numeric_depth = 0;              ///< largest overlap in which a numeric piece takes part, >= 0 [length]
+    double guarded_depth = 0;              ///< likewise of windows of the guard [length]
+    double largest_numeric_jump = 0;       ///< of position where such a piece ends [length]
+    double largest_numeric_kick = 0;       ///< of velocity there, beside impulses [length/time]
     CertifiedSeconds body_seconds;
     std::uint64_t event_hash = 0;       ///< of the events read
     std::int64_t violated = 0;          ///< how many violations were found

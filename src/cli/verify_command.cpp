@@ -24,7 +24,7 @@ std::string share(double part, double whole)
 std::string verify_table(const Certificate& c)
 {
     const CertifiedSeconds& s = c.body_seconds;
-    const double all = s.exact + s.bounded + s.not_certified;
+    const double all = s.exact + s.bounded + s.in_contact + s.numeric + s.guarded + s.not_certified;
     std::vector<std::vector<std::string>> rows{
         {"certificate", c.holds() ? "holds" : fmt::format("DOES NOT HOLD: {} violations", c.violated)},
         {"recording", fmt::format("{} t = {:.10g}", c.complete ? "complete, to" : "cut off at", c.until)},
@@ -41,7 +41,21 @@ std::string verify_table(const Certificate& c)
                      c.largest_jump)},
         {"body-seconds >= 0", share(s.exact, all)},
         {"body-seconds >= -b", share(s.bounded, all)},
+        {"in contact", share(s.in_contact, all)},
+        {"numeric", share(s.numeric, all)},
+        {"guarded", share(s.guarded, all)},
         {"not certified", share(s.not_certified, all)}};
+    if (c.clusters > 0) rows.push_back({"clusters", fmt::format("{} impacts of several contacts at once", c.clusters)});
+    if (c.rests_on_spheres + c.releases_of_spheres > 0)
+        rows.push_back(
+            {"sphere on sphere", fmt::format("{} rests, {} releases", c.rests_on_spheres, c.releases_of_spheres)});
+    if (s.numeric > 0)
+        rows.push_back(
+            {"numeric pieces", fmt::format("overlap at most {:.2g}, at their ends {:.2g} of place, {:.2g} of "
+                                           "speed",
+                                           c.numeric_depth, c.largest_numeric_jump, c.largest_numeric_kick)});
+    if (c.guards > 0)
+        rows.push_back({"guard", fmt::format("{} windows, overlap at most {:.2g}", c.guards, c.guarded_depth)});
     return aligned(rows, 2);
 }
 

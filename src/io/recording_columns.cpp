@@ -97,7 +97,9 @@ void FlightColumns::visit(Self& self, const Visit& visit)
     for (auto& column : self.velocity_low) visit.values(column);
     visit.values(self.acceleration);
     visit.values(self.support);
+    for (auto& column : self.own) visit.values(column);
     visit.values(self.mode);
+    visit.values(self.guarded);
     for (auto& column : self.series) visit.values(column);
 }
 
@@ -141,10 +143,12 @@ void FlightColumns::add(const FlightRecord& flight, std::int64_t events_before)
         local_low[k].push_back(flight.local_low[k]);
         velocity[k].push_back(flight.velocity[k]);
         velocity_low[k].push_back(flight.velocity_low[k]);
+        own[k].push_back(flight.own[k]);
     }
     acceleration.push_back(flight.acceleration);
     support.push_back(flight.support);
     mode.push_back(static_cast<std::uint8_t>(flight.mode));
+    guarded.push_back(flight.guarded);
     const auto numbers = flight.series ? numbers_of(*flight.series) : std::array<double, 10>{};
     for (std::size_t k = 0; k < numbers.size(); ++k) series[k].push_back(numbers[k]);
 }
@@ -160,10 +164,12 @@ FlightRecord FlightColumns::row(std::size_t i) const
         flight.local_low[k] = local_low[k][i];
         flight.velocity[k] = velocity[k][i];
         flight.velocity_low[k] = velocity_low[k][i];
+        flight.own[k] = own[k][i];
     }
     flight.acceleration = acceleration[i];
     flight.support = support[i];
     flight.mode = static_cast<Mode>(mode[i]);
+    flight.guarded = guarded[i] != 0;
     if (flight.mode != Mode::series) return flight;
     std::array<double, 10> numbers{};
     for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = series[k][i];
@@ -199,6 +205,8 @@ void unpack(FlightColumns& columns, std::span<const unsigned char> data, std::si
     unpack_columns(columns, data, rows, file);
     for (const std::uint8_t mode : columns.mode)
         if (mode > static_cast<int>(Mode::fixed)) throw InputError({file + ": damaged: a flight of unknown mode"});
+    for (const std::uint8_t guarded : columns.guarded)
+        if (guarded > 1) throw InputError({file + ": damaged: a flight that is neither guarded nor not"});
 }
 
 }  // namespace carom::io

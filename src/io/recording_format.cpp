@@ -49,7 +49,8 @@ const std::vector<std::string>& recording_tables()
 {
     static const std::vector<std::string> tables{
         "CREATE TABLE meta(key TEXT, value TEXT)", "CREATE TABLE scene(document BLOB)",
-        "CREATE TABLE frame(epoch_length REAL, cell_size REAL, gravity BLOB, accelerations BLOB)",
+        "CREATE TABLE frame(epoch_length REAL, cell_size REAL, gravity BLOB, accelerations BLOB, "
+        "closing_speed REAL, impact_window REAL)",
         "CREATE TABLE bodies(kind TEXT, count INTEGER, data BLOB)",
         "CREATE TABLE chunks(seq INTEGER PRIMARY KEY, kind TEXT, count INTEGER, first_epoch INTEGER, first_offset "
         "REAL, last_epoch INTEGER, last_offset REAL, lowest_body INTEGER, highest_body INTEGER, checksum INTEGER, "
@@ -77,6 +78,7 @@ std::uint32_t head_checksum(const Meta& meta, const Bytes& scene, const FrameRow
     add_rows(digest, meta, head_keys());
     digest.bytes(scene);
     digest.number(frame.epoch_length).number(frame.cell_size).bytes(frame.gravity).bytes(frame.accelerations);
+    digest.number(frame.closing_speed).number(frame.window);
     for (const BodiesRow& row : bodies) digest.text(row.kind).number(row.count).bytes(row.data);
     return digest.value();
 }

@@ -13,8 +13,8 @@
 namespace carom::io {
 
 inline constexpr std::int64_t recording_application_id = 0x6361726f;  ///< "caro"
-inline constexpr std::int64_t recording_version = 1;
-inline constexpr const char* recording_format = "carom-recording/1";
+inline constexpr std::int64_t recording_version = 2;
+inline constexpr const char* recording_format = "carom-recording/2";
 
 /// The statements that make the tables. The reader compares them letter by letter.
 const std::vector<std::string>& recording_tables();
@@ -37,6 +37,7 @@ struct BodiesRow {
 struct FrameRow {
     double epoch_length = 1, cell_size = 1;
     Bytes gravity, accelerations;
+    double closing_speed = 0, window = 0;  ///< RecordedRun
 };
 
 /// CRC of everything that is written before the first chunk.
@@ -79,7 +80,8 @@ struct FlightColumns {
     std::vector<std::int64_t> cell[3];
     std::vector<double> local[3], local_low[3], velocity[3], velocity_low[3];
     std::vector<std::int32_t> acceleration, support;
-    std::vector<std::uint8_t> mode;
+    std::vector<double> own[3];  ///< zeros but for an acceleration of its own
+    std::vector<std::uint8_t> mode, guarded;
     std::vector<double> series[10];  ///< all rows; zeros but for series, which cost nothing
 
     std::size_t rows() const { return body.size(); }

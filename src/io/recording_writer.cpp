@@ -56,8 +56,10 @@ public:
     void begin(const RunFrame& frame)
     {
         const Bytes document = bytes_of_text(scene_json_without_spheres(scene_));
-        const FrameRow row{frame.epoch_length, frame.cell_size, bytes_of(std::span(&scene_.gravity, 1)),
-                           bytes_of(frame.accelerations)};
+        const RestThresholds rest = rest_thresholds(scene_);
+        const FrameRow row{
+            frame.epoch_length, frame.cell_size, bytes_of(std::span(&scene_.gravity, 1)), bytes_of(frame.accelerations),
+            rest.closing_speed, rest.window};
         const std::vector<BodiesRow> bodies = bodies_rows(scene_);
         checksum_ = head_checksum(meta_, document, row, bodies);
 
@@ -66,11 +68,13 @@ public:
         insert_meta(head_keys());
         insert_meta("head_checksum", std::to_string(checksum_));
         Statement(database_, "INSERT INTO scene VALUES (?)").bind(0, document).step();
-        Statement(database_, "INSERT INTO frame VALUES (?, ?, ?, ?)")
+        Statement(database_, "INSERT INTO frame VALUES (?, ?, ?, ?, ?, ?)")
             .bind(0, row.epoch_length)
             .bind(1, row.cell_size)
             .bind(2, row.gravity)
             .bind(3, row.accelerations)
+            .bind(4, row.closing_speed)
+            .bind(5, row.window)
             .step();
         for (const BodiesRow& each : bodies)
             Statement(database_, "INSERT INTO bodies VALUES (?, ?, ?)")

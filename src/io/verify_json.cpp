@@ -55,9 +55,17 @@ std::string verify_json(const Certificate& c, const RecordingReader& recording)
     json["largest"] = {{"impact_gap", c.largest_impact_gap},         {"jump", c.largest_jump},
                        {"impulse_error", c.largest_impulse_error},   {"law_error", c.largest_law_error},
                        {"momentum_error", c.largest_momentum_error}, {"energy_error", c.largest_energy_error}};
-    json["body_seconds"] = {{"exact", c.body_seconds.exact},
-                            {"bounded", c.body_seconds.bounded},
-                            {"not_certified", c.body_seconds.not_certified}};
+    json["clusters"] = c.clusters;
+    json["rests_on_spheres"] = c.rests_on_spheres;
+    json["releases_of_spheres"] = c.releases_of_spheres;
+    json["guards"] = c.guards;
+    json["numeric"] = {{"depth", c.numeric_depth},
+                       {"guarded_depth", c.guarded_depth},
+                       {"jump", c.largest_numeric_jump},
+                       {"kick", c.largest_numeric_kick}};
+    json["body_seconds"] = {{"exact", c.body_seconds.exact},           {"bounded", c.body_seconds.bounded},
+                            {"in_contact", c.body_seconds.in_contact}, {"numeric", c.body_seconds.numeric},
+                            {"guarded", c.body_seconds.guarded},       {"not_certified", c.body_seconds.not_certified}};
     json["violated"] = c.violated;
     json["violations"] = violations_json(c, recording);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -34,8 +34,7 @@ std::optional<InSeries> inside(const SeriesRecord& s, const Vec3& normal, double
     return {};
 }
 
-Swept swept(const Path& path, double radius, const SeriesRecord& s, const Vec3& normal, std::int32_t along,
-            std::int32_t none)
+Swept swept(const Path& path, double radius, const SeriesRecord& s, const Vec3& normal)
 {
     const double height = 0.5 * s.normal_speed * (s.normal_speed / s.gravity);
     Swept ball{path, radius + height / 2 * (1 + 8 * u) + 8 * u * (radius + 1)};
@@ -44,13 +43,14 @@ Swept swept(const Path& path, double radius, const SeriesRecord& s, const Vec3& 
         ball.path.velocity[k] = s.velocity[k];
     }
     ball.path.velocity_low = Vec3::Zero();
-    ball.path.acceleration = along;
+    ball.path.acceleration = own_acceleration;
+    ball.path.own = s.acceleration;
     if (s.tangential < 1) {
         // Slowed at each bounce it follows no parabola: the ball around all that it can reach.
         const double t = duration(s);
         ball.radius += 1.01 * t * (s.velocity.norm() + 0.5 * t * s.acceleration.norm());
         ball.path.velocity = Vec3::Zero();
-        ball.path.acceleration = none;
+        ball.path.own = Vec3::Zero();
     }
     return ball;
 }

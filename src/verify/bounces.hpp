@@ -27,8 +27,7 @@ struct Swept {
     Path path;
     double radius = 0;  ///< [cells]
 };
-/// \param along index of the series' acceleration, \param none of acceleration zero
-Swept swept(const Path& path, double radius, const SeriesRecord& series, const Vec3& normal, std::int32_t along,
-            std::int32_t none);
+/// \param normal of the plane, towards the ball
+Swept swept(const Path& path, double radius, const SeriesRecord& series, const Vec3& normal);
 
 }  // namespace carom::verification

@@ -6,9 +6,8 @@
 /// slab's end; who does not share a neighbourhood of cells in it cannot touch. Few spheres need no cells and no slabs.
 #pragma once
 
-#include "verify/bounces.hpp"
 #include "verify/cells.hpp"
-#include "verify/findings.hpp"
+#include "verify/gaps.hpp"
 #include "verify/quick_look.hpp"
 
 #include <optional>
@@ -29,30 +28,23 @@ public:
     void open(BodyId body, const EpochTime& now);
     /// The run ends: everybody's flight does.
     void finish(const EpochTime& end);
+    /// A body that several contacts hold must have them, and they must be able to push it as its flight says.
+    void check_support(BodyId body, const EpochTime& now);
 
 private:
-    /// A body as pairs see it: a sphere on its flight, or the ball that a series stays in.
-    struct Ball {
-        const Path* path;
-        const Vec3* acceleration;
-        double radius;
-        bool is_swept;
-    };
-    Ball ball_of(BodyId body, std::optional<Swept>& room) const;
-    double flown(BodyId body, const Ball& ball, const EpochTime& to) const;
     /// From `from`, or from the later start of the two, if that is later.
     void pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to);
-    void look_closer(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to, bool is_near);
+    void planes(BodyId body, const EpochTime& to);
+    /// Everybody who may touch a body on its way, or more; nobody twice.
+    template <class Visit>
+    void visit(BodyId body, const EpochTime& from, const EpochTime& to, const Visit& visit);
     void set_reference(const EpochTime& at);
     /// What a squared distance must exceed to be of no interest: neither an overlap nor the smallest gap.
-    double interesting(double contact) const { return std::max(0.0, smallest_ * (smallest_ + 2 * contact)); }
-    void record(const GapFound& found, const EpochTime& from, const EpochTime& to, BodyId a, BodyId b);
-    void planes(BodyId body, const EpochTime& to);
-    void plane(BodyId body, int p, const EpochTime& to);
-    void support(BodyId body, int p, const EpochTime& to);
+    double interesting(double contact) const
+    {
+        return std::max(0.0, gaps_.smallest() * (gaps_.smallest() + 2 * contact));
+    }
     void find_initial_overlaps();
-    void count(BodyId body, const EpochTime& now);
-    void worsen(BodyId body, Grade grade);
 
     Box box(BodyId body, const EpochTime& from, const EpochTime& to, double& radius) const;
     EpochTime later(const EpochTime& t, double epochs) const;
@@ -64,13 +56,11 @@ private:
 
     const RunData& data_;
     const Flights& flights_;
-    std::vector<std::uint8_t> grades_;  ///< of the current flights
-    std::vector<double> flown_before_;  ///< in the flight before: what is missing at an impact is missing after it, too
     std::vector<Quick> quick_;
     EpochTime reference_;
-    std::size_t opened_ = 0;                                     ///< flights since the reference
-    double smallest_ = std::numeric_limits<double>::infinity();  ///< gap so far [cells]
+    std::size_t opened_ = 0;  ///< flights since the reference
     Findings& findings_;
+    Gaps gaps_;
     bool all_pairs_;
     std::optional<Cells> cells_;
     EpochTime slab_begin_, slab_end_;
@@ -78,8 +68,6 @@ private:
     std::size_t entries_at_begin_ = 0;
     std::vector<BodyId> order_;  ///< bodies, neighbours in space mostly neighbours here: their cells share memory
     std::int64_t slabs_ = 0;
-    /// Pairs that overlapped at the start, and where they were.
-    std::unordered_map<std::uint64_t, std::pair<Path, Path>> overlaps_;
 };
 
 }  // namespace carom::verification

@@ -6,17 +6,13 @@ namespace {
 
 constexpr std::int64_t furthest = std::int64_t{1} << 52;  ///< cells and epochs beyond it are not exact as doubles
 
-bool held(Mode mode)
-{
-    return mode == Mode::sliding || mode == Mode::resting;
-}
-
 bool is_finite(const FlightRecord& f)
 {
     for (std::size_t k = 0; k < 3; ++k) {
         constexpr double large = 0x1p52;
         if (!(std::abs(f.local[k]) < large) || !(std::abs(f.local_low[k]) < large)) return false;
-        if (!std::isfinite(f.velocity[k]) || !std::isfinite(f.velocity_low[k])) return false;
+        if (!std::isfinite(f.velocity[k]) || !std::isfinite(f.velocity_low[k]) || !std::isfinite(f.own[k]))
+            return false;
         if (f.cell[k] <= -furthest || f.cell[k] >= furthest) return false;
     }
     return true;
@@ -52,14 +48,19 @@ bool series_fits(const RunData& data, BodyId body, const Path& path, const Serie
 /// What the mode demands of acceleration, support and speed; nullptr if all is well.
 const char* wrong_with(const RunData& data, BodyId body, const Path& path, const std::optional<SeriesRecord>& series)
 {
-    const Vec3& a = data.acceleration(path);
+    const Vec3 a = data.acceleration(path);
     const bool fixed = data.sphere(body).fixed;
     if (fixed != (path.mode == Mode::fixed)) return "is fixed, or is not";
-    const bool supported = held(path.mode) || path.mode == Mode::series;
-    if (supported != (path.support >= 0) && path.mode != Mode::numeric)
+    const bool several = path.support == several_supports, numeric = path.mode == Mode::numeric;
+    const bool supported = is_held(path) || path.mode == Mode::series;
+    if ((supported != (path.support != -1) && !numeric) || (several && !is_held(path) && !numeric))
         return "has a support that its mode does not have";
+    if (path.guarded && !(numeric && a.isZero(0))) return "is guarded and goes no straight line";
+    if (path.acceleration == own_acceleration && !numeric && !is_held_by_several(path))
+        return "has an acceleration of its own that its mode does not have";
     if (fixed) return a.isZero(0) && path.velocity.isZero(0) ? nullptr : "is fixed and moves";
-    if (held(path.mode) && !data.is_along(a, path.support)) return "slides under an acceleration that is not gravity's";
+    if (is_held(path) && !several && !data.is_along(a, path.support))
+        return "slides under an acceleration that is not gravity's";
     if (path.mode == Mode::resting && !(a.isZero(0) && path.velocity.isZero(0) && path.velocity_low.isZero(0)))
         return "rests and moves";
     if (path.mode == Mode::flying && a != data.gravity) return "flies under an acceleration that is not gravity";
@@ -85,8 +86,10 @@ std::optional<Accepted> accept(const RunData& data, Findings& findings, const Fl
     };
     if (f.body < 0 || f.body >= data.spheres()) return refuse("a flight of " + who + ", which is not there");
     if (!is_moment(data.units.moment(f.start)) || !is_finite(f)) return refuse(who + " has a number out of range");
-    if (f.acceleration < 0 || static_cast<std::size_t>(f.acceleration) >= data.accelerations.size() || f.support < -1 ||
-        f.support >= data.planes())
+    const bool is_own = f.acceleration == own_acceleration;
+    if (f.acceleration < own_acceleration ||
+        (!is_own && static_cast<std::size_t>(f.acceleration) >= data.accelerations.size()) ||
+        f.support < several_supports || f.support >= data.planes())
         return refuse(who + " has an acceleration or a support that is not there");
     Accepted out;
     Path& path = out.path;
@@ -98,15 +101,15 @@ std::optional<Accepted> accept(const RunData& data, Findings& findings, const Fl
         path.local_low[k] = f.local_low[k] / data.units.length;
         path.velocity[i] = data.units.speed(f.velocity[k]);
         path.velocity_low[i] = data.units.speed(f.velocity_low[k]);
+        path.own[i] = is_own ? data.units.acceleration(f.own[k]) : 0;
     }
     path.acceleration = f.acceleration;
     path.support = f.support;
     path.mode = f.mode;
+    path.guarded = f.guarded;
     if (f.series) out.series = scaled(*f.series, data.units);
-    if (!path.velocity.allFinite()) return refuse(who + " has a speed out of range");
+    if (!path.velocity.allFinite() || !path.own.allFinite()) return refuse(who + " has a speed out of range");
     if (const char* wrong = wrong_with(data, f.body, path, out.series)) return refuse(who + " " + wrong);
-    if (path.mode == Mode::series && (data.index_of(out.series->acceleration) < 0 || data.index_of(Vec3::Zero()) < 0))
-        return refuse(who + " is in a series whose acceleration is not in the table");
     return out;
 }
 
@@ -125,7 +128,8 @@ void check_first(const RunData& data, Findings& findings, BodyId body, const Pat
             return;
         }
         const double v = data.units.speed(data.sphere(body).fixed ? 0 : start.velocity[k]);
-        const double turn = path.support < 0 ? 0 : 16 * u * size * std::abs(data.wall(path.support).normal[k]);
+        double turn = path.support < 0 ? 0 : 16 * u * size * std::abs(data.wall(path.support).normal[k]);
+        if (path.support == several_supports) turn = 4 * (still * data.closing_speed + hidden * size);
         if (std::abs(path.velocity[k] - v) > turn || path.velocity_low[k] != 0) {
             findings.violation("sphere " + std::to_string(body) + " does not start as fast as the scene says", {},
                                body);

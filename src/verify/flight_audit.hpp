@@ -4,6 +4,7 @@
 #pragma once
 
 #include "verify/findings.hpp"
+#include "verify/flights.hpp"
 
 #include <optional>
 
@@ -15,6 +16,9 @@ struct Accepted {
     std::optional<SeriesRecord> series;
 };
 std::optional<Accepted> accept(const RunData& data, Findings& findings, const FlightRecord& flight);
+
+/// Speeds below `still` v_c, or `hidden` in others, may be taken from bodies that contacts hold together.
+inline constexpr double still = 1e-6, hidden = 1e-12;
 
 /// The first flight of a body.
 void check_first(const RunData& data, Findings& findings, BodyId body, const Path& path);

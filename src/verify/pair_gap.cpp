@@ -86,7 +86,7 @@ template <class N>
 Least least(const PairSegment& s)
 {
     const Contact<N> contact = contact_of<N>(s);
-    if (s.a.acceleration != s.b.acceleration) return least_accelerated<N>(s, contact);
+    if (s.acceleration_a != s.acceleration_b) return least_accelerated<N>(s, contact);
     const Relative<N> start = relative<N>(s.a, s.acceleration_a, s.b, s.acceleration_b, s.from);
     const Quadratic<N> at_start = quadratic(start, contact);
     const double b0 = rounded(at_start.b);
@@ -104,7 +104,7 @@ Least least(const PairSegment& s)
 /// Is |r|^2 >= S^2 throughout? 1 yes, -1 no, 0 cannot be told.
 int exact_answer(const PairSegment& s)
 {
-    if (s.a.acceleration != s.b.acceleration) return 0;
+    if (s.acceleration_a != s.acceleration_b) return 0;
     const Exact contact = contact_of<Exact>(s).square;
     const auto answer = [](const Exact& value) { return !value.sound() ? 0 : value.sign() < 0 ? -1 : 1; };
     const Relative<Exact> start = relative<Exact>(s.a, s.acceleration_a, s.b, s.acceleration_b, s.from);

@@ -10,6 +10,8 @@ namespace carom::verification {
 enum class Grade : std::uint8_t {
     exact,          ///< gap >= min(0, initial gap)
     bounded,        ///< gap >= -b
+    in_contact,     ///< gap >= -1e-9 r, of what persistent contacts hold
+    measured,       ///< gap >= a bound that is measured, of what no closed form gives
     not_certified,  ///< neither shown nor refuted
     violated        ///< gap < -b
 };

@@ -26,9 +26,22 @@ struct Path {
     std::int64_t cell[3] = {0, 0, 0};
     double local[3] = {0, 0, 0}, local_low[3] = {0, 0, 0};      ///< [cells]
     Vec3 velocity = Vec3::Zero(), velocity_low = Vec3::Zero();  ///< [cells/epoch]
-    std::int32_t acceleration = 0, support = -1;
+    std::int32_t acceleration = 0, support = -1;                ///< as in FlightRecord
+    Vec3 own = Vec3::Zero();                                    ///< acceleration of its own, if so [cells/epoch^2]
     Mode mode = Mode::flying;
+    bool guarded = false;
 };
+
+/// In persistent contact.
+inline bool is_held(const Path& p)
+{
+    return p.mode == Mode::sliding || p.mode == Mode::resting;
+}
+/// By spheres, or several planes.
+inline bool is_held_by_several(const Path& p)
+{
+    return is_held(p) && p.support == several_supports;
+}
 
 inline Vec3 vector_of(const double (&a)[3])
 {

@@ -10,8 +10,11 @@ RunData::RunData(const RecordedRun& r) : run(r), units{r.frame.cell_size, r.fram
         return Vec3(units.acceleration(a.x()), units.acceleration(a.y()), units.acceleration(a.z()));
     };
     gravity = scaled(r.gravity);
-    radii.reserve(r.spheres.size());
-    for (const RecordedSphere& s : r.spheres) radii.push_back(s.radius / units.length);
+    closing_speed = units.speed(r.closing_speed);
+    window = r.window / units.time;
+    const auto loses = [](const auto& law) { return law.restitution < 1; };
+    is_lossy = std::any_of(r.materials.begin(), r.materials.end(), loses) ||
+               std::any_of(r.contacts.begin(), r.contacts.end(), loses);
     for (const Vec3& a : r.frame.accelerations) accelerations.push_back(scaled(a));
     for (const Plane& p : r.planes)
         walls.push_back(
@@ -24,13 +27,6 @@ bool RunData::is_along(const Vec3& a, int plane) const
     const Vec3 along = gravity - gravity.dot(n) / n.squaredNorm() * n;
     const double size = gravity.cwiseAbs().maxCoeff();
     return (a - along).cwiseAbs().maxCoeff() <= 16 * u * size;
-}
-
-std::int32_t RunData::index_of(const Vec3& a) const
-{
-    for (std::size_t i = 0; i < accelerations.size(); ++i)
-        if (accelerations[i] == a) return static_cast<std::int32_t>(i);
-    return -1;
 }
 
 /// CONTRACT section 2: the smaller value of two materials holds; `tangential` acts at planes, between spheres only if a

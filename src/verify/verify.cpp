@@ -45,7 +45,7 @@ public:
         out_.spheres = data_.spheres();
         out_.planes = data_.planes();
         out_.certified = data_.run.certified;
-        flights_.paths.reserve(data_.radii.size());
+        flights_.reserve(data_.run.spheres.size());
     }
 
     Certificate go()
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    bool has_all() const { return flights_.paths.size() == data_.radii.size(); }
+    bool has_all() const { return flights_.size() == data_.run.spheres.size(); }
 
     /// Entry 0 is zero; what else the table may say shows where it is used.
     void check_accelerations()
@@ -114,7 +114,7 @@ private:
     bool begin(std::span<const FlightRecord> flights)
     {
         for (const FlightRecord& flight : flights) {
-            if (has_all() || flight.body != static_cast<BodyId>(flights_.paths.size()))
+            if (has_all() || flight.body != static_cast<BodyId>(flights_.size()))
                 return impossible("the flights of the start are not one for each sphere, in their order", flight.body);
             if (data_.units.moment(flight.start) != EpochTime{})
                 return impossible("a first flight begins late", flight.body);
@@ -122,7 +122,7 @@ private:
             if (!accepted) return false;
             if (accepted->series) return impossible("a first flight is a series", flight.body);
             check_first(data_, findings_, flight.body, accepted->path);
-            flights_.paths.push_back(accepted->path);
+            flights_.add(accepted->path);
         }
         if (!has_all()) return true;
         source_.forget_starts();
@@ -136,7 +136,9 @@ private:
         const BodyId bodies = data_.spheres() + data_.planes();
         if (data_.units.moment(event.at) != at)
             return impossible("an event is not at the time of the flights that it begins", event.a);
-        if (event.a < 0 || event.a >= data_.spheres() || event.b <= event.a || event.b >= bodies)
+        const bool guard = event.kind == EventKind::guard;
+        if (event.a < 0 || event.a >= data_.spheres() ||
+            (guard ? event.b != no_body : event.b <= event.a || event.b >= bodies))
             return impossible("an event of bodies that are not there", event.a);
         if (!event.normal.allFinite() || !event.impulse.allFinite())
             return impossible("an event with a number out of range", event.a);
@@ -153,13 +155,14 @@ private:
             auto accepted = accept(data_, findings_, flight);
             if (!accepted) return false;
             coverage_.close(flight.body, now_);
-            flights_.path(flight.body) = accepted->path;
+            flights_.set(flight.body, accepted->path);
             flights_.series.erase(flight.body);
             if (accepted->series) flights_.series.emplace(flight.body, *accepted->series);
             coverage_.open(flight.body, now_);
             audit_.change(flight.body);
         }
         audit_.end();
+        for (const FlightRecord& flight : instant.flights) coverage_.check_support(flight.body, now_);
         return true;
     }
 

@@ -109,7 +109,13 @@ void change(FlightRow& row, Random& random)
 {
     FlightRecord& f = row.flight;
     const std::size_t k = random.below(3);
-    switch (random.below(11)) {
+    switch (random.below(13)) {
+        case 11:
+            f.acceleration = own_acceleration;
+            return change(f.own[k], random);
+        case 12:
+            f.guarded = !f.guarded;
+            return;
         case 0:
             return change_integer(f.body, random);
         case 1:

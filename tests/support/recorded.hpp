@@ -20,6 +20,9 @@ inline RecordedRun described(const Scene& scene)
     run.materials = scene.materials;
     run.contacts = scene.contacts;
     run.planes = scene.planes;
+    const RestThresholds rest = rest_thresholds(scene);
+    run.closing_speed = rest.closing_speed;
+    run.window = rest.window;
     for (const Sphere& s : scene.spheres) {
         run.spheres.push_back({s.radius, s.mass, s.material, s.fixed});
         run.starts.push_back({s.position, s.velocity});

@@ -54,6 +54,8 @@ inline std::string content_of(const std::filesystem::path& file)
     const RecordedRun& run = reader.run();
     put(run.frame.epoch_length);
     put(run.frame.cell_size);
+    put(run.closing_speed);
+    put(run.window);
     for (const Vec3& a : run.frame.accelerations) put(a);
     for (const RecordedSphere& s : run.spheres) {
         put(s.radius);
@@ -88,6 +90,8 @@ inline std::string content_of(const std::filesystem::path& file)
             put(f.velocity);
             put(f.velocity_low);
             put(f.acceleration);
+            put(f.own);
+            put(f.guarded);
             put(f.support);
             put(f.mode);
             if (f.series) put(f.series->normal_speed);

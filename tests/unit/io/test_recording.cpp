@@ -218,7 +218,7 @@ TEST_CASE("rows that are missing, doubled or out of order are damage", "[recordi
           "INSERT INTO meta VALUES ('extra', '1')", "UPDATE frame SET cell_size = 2 * cell_size",
           "DELETE FROM bodies WHERE kind = 'planes'", "UPDATE bodies SET count = count + 1", "DELETE FROM scene",
           "UPDATE scene SET document = x'00'", "UPDATE chunks SET last_offset = last_offset / 2 WHERE seq = 3",
-          "UPDATE chunks SET count = '7' WHERE seq = 3", "CREATE TABLE more(x)", "PRAGMA user_version = 2",
+          "UPDATE chunks SET count = '7' WHERE seq = 3", "CREATE TABLE more(x)", "PRAGMA user_version = 1",
           "PRAGMA application_id = 1", "UPDATE chunks SET highest_body = 101 WHERE seq = 1"}) {
         std::filesystem::copy_file(file, changed, std::filesystem::copy_options::overwrite_existing);
         run_sql(changed, sql);
@@ -271,4 +271,55 @@ TEST_CASE("counts beyond reason are refused before memory is asked for, whatever
             CAPTURE(k, count);
             CHECK_THROWS_WITH(content_of(changed), Contains("too many " + io::bodies_kinds()[k]));
         }
+}
+
+TEST_CASE("accelerations of their own, supports by several and windows of the guard are read back to the bit",
+          "[recording]")
+{
+    const RecordingFolder folder;
+    const std::filesystem::path file = folder / "run.carom";
+    Scene scene = empty_scene(2, {0, 0, -1}, 0.5);
+    add_sphere(scene, 1, {0, 0, 0});
+    add_sphere(scene, 1, {3, 0, 0});
+    scene.rest.closing_speed = 0.1;
+    scene.rest.window = 1.0 / 3;
+    FlightRecord held, guarded;
+    held.body = 0;
+    held.acceleration = own_acceleration;
+    held.own = {1.0 / 3, -0.0, 1e-300};
+    held.support = several_supports;
+    held.mode = Mode::sliding;
+    guarded.body = 1;
+    guarded.guarded = true;
+    guarded.mode = Mode::numeric;
+    {
+        RecordingWriter writer(file, scene, {"event", false, scene.end_time});
+        writer.on_frame({1, 1, {Vec3::Zero(), scene.gravity}});
+        writer.on_flight(held);
+        writer.on_flight(guarded);
+        Event guard;
+        guard.kind = EventKind::guard;
+        guard.a = 0;
+        writer.on_event(guard);
+        writer.on_flight(held);
+        writer.finish({});
+    }
+    RecordingReader reader(file);
+    CHECK(reader.run().closing_speed == 0.1);
+    CHECK(reader.run().window == 1.0 / 3);
+    Instant instant;
+    REQUIRE(reader.next(instant));
+    REQUIRE(instant.flights.size() == 2);
+    const auto same = [](const FlightRecord& f, const FlightRecord& known) {
+        return std::memcmp(f.own.data(), known.own.data(), sizeof f.own) == 0 && f.guarded == known.guarded &&
+               f.acceleration == known.acceleration && f.support == known.support && f.mode == known.mode;
+    };
+    CHECK(same(instant.flights[0], held));
+    CHECK(same(instant.flights[1], guarded));
+    REQUIRE(reader.next(instant));
+    REQUIRE(instant.events.size() == 1);
+    CHECK(instant.events[0].kind == EventKind::guard);
+    CHECK(instant.events[0].b == no_body);
+    CHECK(same(instant.flights[0], held));
+    CHECK_FALSE(reader.next(instant));
 }

@@ -63,7 +63,7 @@ Real least_square_gap(const PairSegment& s)
 TEST_CASE("the grade of a pair of flights is that of many digits", "[verify]")
 {
     Random random(2);
-    int seen[4] = {}, levels[3] = {}, quick = 0;
+    int seen[6] = {}, levels[3] = {}, quick = 0;
     const Vec3 gravity(0, 0, -0.3);
     for (int i = 0; i < 20000; ++i) {
         // Backwards from a nearest approach at time t at a distance of (1 + miss) S.
@@ -101,9 +101,9 @@ TEST_CASE("the grade of a pair of flights is that of many digits", "[verify]")
             ++quick;
         }
     }
-    CHECK(seen[0] > 1000);
-    CHECK(seen[1] > 100);
-    CHECK(seen[3] > 1000);
+    CHECK(seen[static_cast<int>(Grade::exact)] > 1000);
+    CHECK(seen[static_cast<int>(Grade::bounded)] > 100);
+    CHECK(seen[static_cast<int>(Grade::violated)] > 1000);
     CHECK(quick > 5000);
 }
 

@@ -265,7 +265,10 @@ TEST_CASE("double-double flights made by hand hold as certified", "[verify]")
     run.spheres = {{0.3, 1, 0, false}, {0.3, 1, 0, false}};
     run.starts = {{{0.1, 0.1, 0.1}, {0.7, 0, 0}}, {{1.1, 0.1, 0.1}, {0, 0, 0}}};
     const double t = 0.4 / 0.7 * (1 - 1e-16);
-    FlightRecord a{0, {}, {0, 0, 0}, {0.1, 0.1, 0.1}, {}, {0.7, 0, 0}, {}, 0, -1, Mode::flying, {}};
+    FlightRecord a;
+    a.body = 0;
+    a.local = {0.1, 0.1, 0.1};
+    a.velocity = {0.7, 0, 0};
     FlightRecord b = a;
     b.body = 1;
     b.cell[0] = 1;

@@ -1,0 +1,233 @@
+#include "verify/contact_audit.hpp"
+
+#include "verify/gaps.hpp"
+
+#include <algorithm>
+
+namespace carom::verification {
+
+namespace {
+
+/// Of the speeds of the bodies that impulses connect: what a solver may leave.
+constexpr double solved = 1e-9;
+
+std::uint64_t pair_key(BodyId a, BodyId b)
+{
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
+}
+
+}  // namespace
+
+ContactAudit::ContactAudit(const RunData& data, const Flights& flights, Findings& findings)
+    : data_(data), flights_(flights), findings_(findings)
+{
+}
+
+void ContactAudit::check(InstantBodies& bodies, std::span<const Event> events)
+{
+    bodies_ = &bodies;
+    for (const Event& event : events) {
+        count(event);
+        if (event.kind == EventKind::impact || (event.kind != EventKind::guard && event.b < data_.spheres()))
+            check_event(event);
+    }
+    for (const Before& b : bodies.all()) add_up(b);
+    const Event* alone = events.size() == 1 && events[0].kind == EventKind::impact ? &events[0] : nullptr;
+    for (const Group& group : bodies.groups())
+        if (group.impulses > 0 && !group.loose) check_group(group, alone);
+    for (const Event& event : events)
+        if (event.kind == EventKind::impact) remember(event);
+}
+
+void ContactAudit::count(const Event& event)
+{
+    Certificate& out = findings_.out;
+    out.impulses += !event.impulse.isZero(0);
+    const bool spheres = event.b >= 0 && event.b < data_.spheres();
+    out.rests_on_spheres += event.kind == EventKind::rest && spheres;
+    out.releases_of_spheres += event.kind == EventKind::release && spheres;
+    out.guards += event.kind == EventKind::guard;
+}
+
+ContactAudit::Geometry ContactAudit::geometry(const Event& event)
+{
+    const Before& a = *bodies_->find(event.a);
+    Geometry out;
+    out.travel = between<double>(a.path.start, bodies_->now()) * a.speed_size.norm();
+    out.size = data_.radius(event.a);
+    if (event.b >= data_.spheres()) {
+        const Wall& wall = data_.wall(event.b - data_.spheres());
+        const double side = side_of(wall, a.path);
+        out.normal = side * wall.normal;
+        const Vec3 acceleration = data_.acceleration(a.path);
+        const WallSegment s{a.path, acceleration, wall, side, bodies_->now(), bodies_->now(), out.size, nullptr};
+        out.gap = a.series ? 0 : height(s, bodies_->now()).high;
+        return out;
+    }
+    const Before& b = *bodies_->find(event.b);
+    out.travel = std::max(out.travel, between<double>(b.path.start, bodies_->now()) * b.speed_size.norm());
+    Vector<DoubleDouble> r{};
+    DoubleDouble* const parts[] = {&r.x, &r.y, &r.z};
+    for (int k = 0; k < 3; ++k)
+        *parts[k] = DoubleDouble(static_cast<double>(a.path.cell[k] - b.path.cell[k])) +
+                    (component(a.place, k) - component(b.place, k));
+    const DoubleDouble distance = sqrt(dot(r, r));
+    out.size += data_.radius(event.b);
+    out.gap = (distance - joined<DoubleDouble>(data_.radius(event.a), 0) - DoubleDouble(data_.radius(event.b))).high;
+    out.normal = high(r) / distance.high;
+    out.shake = (2 + out.travel) / out.size;
+    return out;
+}
+
+/// Where it happens: the spheres touch, and the normal is the line of their centres.
+void ContactAudit::check_event(const Event& event)
+{
+    const Geometry at = geometry(event);
+    const Before& a = *bodies_->find(event.a);
+    const Before* b = event.b < data_.spheres() ? bodies_->find(event.b) : nullptr;
+    const Group& group = bodies_->group_of(bodies_->inverse_mass(event.a) > 0 || b == nullptr ? a : *b);
+    const double radius = b ? std::min(data_.radius(event.a), data_.radius(event.b)) : data_.radius(event.a);
+    const bool precise =
+        data_.run.certified && event.kind == EventKind::impact && group.impulses == 1 && !group.coupled;
+    const bool numeric = a.path.mode == Mode::numeric || (b && b->path.mode == Mode::numeric);
+    const double allowed = precise ? 64 * u * std::max(at.travel, at.size) : (numeric ? 1e-2 : contact_slack) * radius;
+    const std::string who = "sphere " + std::to_string(event.a);
+    if (!(std::abs(at.gap) <= allowed))
+        fail(who + " is pushed at a gap of " + figure(at.gap * data_.units.length), event.a, event.b);
+    if (!numeric) Findings::keep_largest(findings_.out.largest_impact_gap, std::abs(at.gap) * data_.units.length);
+    if (!((at.normal - event.normal).cwiseAbs().maxCoeff() <= (numeric ? 1e-2 : 32 * u * (1 + at.shake))))
+        fail(who + " is pushed along a wrong normal", event.a, event.b);
+    if (event.kind == EventKind::impact) check_impulse(event, at, group);
+}
+
+void ContactAudit::check_impulse(const Event& event, const Geometry& at, const Group& group)
+{
+    const std::string who = "sphere " + std::to_string(event.a);
+    const double w = at.normal.dot(bodies_->speed_before(event.a) - bodies_->speed_before(event.b));
+    const double after = at.normal.dot(bodies_->speed_after(event.a) - bodies_->speed_after(event.b));
+    const double strict = 64 * u * bodies_->speeds() * (1 + at.shake);
+    const double slack = group.coupled ? strict + solved * bodies_->speeds() + bodies_->settling() : strict;
+    if (!group.coupled && !group.loose && !event.impulse.isZero(0) && !(w <= slack))
+        fail(who + " is pushed though it was not closing", event.a, event.b);
+    if (!(after >= -slack)) fail(who + " closes further after its impact", event.a, event.b);
+    if (!(event.impulse.dot(event.normal) >= -64 * u * event.impulse.norm()) && group.coupled)
+        fail(who + " is pulled", event.a, event.b);
+    if (group.impulses <= 1 && !group.loose) restitution_ = check_law(event, at.normal, group);
+}
+
+/// The impulse of a contact alone: -(1 + e) m w n - (1 - alpha) m v_t, m the reduced mass (course handout).
+double ContactAudit::check_law(const Event& event, const Vec3& normal, const Group& group)
+{
+    const ContactLaw law = data_.law(event.a, event.b);
+    const double mass = 1 / (bodies_->inverse_mass(event.a) + bodies_->inverse_mass(event.b));
+    const Vec3 relative = bodies_->speed_before(event.a) - bodies_->speed_before(event.b);
+    const double w = relative.dot(normal) / normal.squaredNorm(), speeds = bodies_->speeds();
+    const Vec3 impulse = event.impulse / data_.units.length * data_.units.time;
+    const auto error = [&](double restitution) {
+        Vec3 expected = -mass * ((1 + restitution) * std::min(w, 0.0) * normal);
+        if (w < 0) expected -= mass * (1 - law.tangential) * (relative - w * normal);
+        return (impulse - expected).cwiseAbs().maxCoeff();
+    };
+    double shake = 1;
+    if (event.b < data_.spheres()) {
+        const Before &a = *bodies_->find(event.a), &b = *bodies_->find(event.b);
+        const auto flown = [&](const Before& x) {
+            return between<double>(x.path.start, bodies_->now()) * x.speed_size.norm();
+        };
+        shake += (2 + std::max(flown(a), flown(b))) / (data_.radius(event.a) + data_.radius(event.b));
+    }
+    double found = error(law.restitution), used = law.restitution;
+    if (may_be_inelastic(event, -w) && error(0) < found) {
+        found = error(0);
+        used = 0;
+    }
+    const double scale = mass * speeds;
+    const double allowed = 64 * u * shake * scale + (group.coupled ? solved * scale + mass * bodies_->settling() : 0);
+    if (!(found <= allowed))
+        fail("an impulse on sphere " + std::to_string(event.a) + " is not that of its contact, by " +
+                 figure(found / scale),
+             event.a, event.b);
+    if (scale > 0) Findings::keep_largest(findings_.out.largest_law_error, found / scale);
+    return used;
+}
+
+/// IMPACTS 2: slow closings, and those of contacts that closed a moment ago, unless all e = 1.
+bool ContactAudit::may_be_inelastic(const Event& event, double closing) const
+{
+    constexpr double margin = 1 + 1e-9;
+    if (!data_.is_lossy) return false;
+    if (closing <= margin * data_.closing_speed) return true;
+    const auto last = closed_.find(pair_key(event.a, event.b));
+    return last != closed_.end() && between<double>(last->second, bodies_->now()) <= margin * data_.window;
+}
+
+void ContactAudit::remember(const Event& event)
+{
+    if (!data_.is_lossy || !(data_.window > 0)) return;
+    if (closed_.size() >= most_closed_) {
+        std::erase_if(closed_, [&](const auto& entry) {
+            return between<double>(entry.second, bodies_->now()) > 2 * data_.window;
+        });
+        most_closed_ = std::max(most_closed_, 2 * closed_.size());
+    }
+    closed_[pair_key(event.a, event.b)] = bodies_->now();
+}
+
+/// What is left over in the sums over all bodies of a group.
+void ContactAudit::add_up(const Before& b)
+{
+    Group& group = bodies_->group_of(b);
+    if (group.loose || !b.changed) return;
+    const Path after = flights_.path(b.body);
+    const double m = data_.sphere(b.body).mass;
+    const Vec3 v0 = high(b.speed), v1 = after.velocity;
+    DoubleDouble twice(0.0);
+    Vec3 left;
+    for (int k = 0; k < 3; ++k) {
+        const DoubleDouble w = joined<DoubleDouble>(after.velocity[k], after.velocity_low[k]);
+        const DoubleDouble difference = w - component(b.speed, k);
+        twice = twice + difference * (w + component(b.speed, k));
+        left[k] = difference.high - b.impulse[k] / m;
+    }
+    group.momentum += m * left;
+    group.change += m * twice.high / 2;
+    group.energy += m * (v0.squaredNorm() + v1.squaredNorm() + b.speed_size.squaredNorm()) / 2;
+    group.momenta += m * (v0.norm() + v1.norm() + b.speed_size.norm());
+    // What persistent contacts take beside the impulses was looked at body by body; it may add to the energy of none.
+    if (after.support == -1 && b.path.support == -1) return;
+    group.supported = true;
+    group.swallowed += m * left.norm() * (v0.norm() + v1.norm());
+}
+
+void ContactAudit::check_group(const Group& group, const Event* alone)
+{
+    findings_.out.clusters += group.impulses > 1;
+    const bool plain = !group.supported && !group.coupled && group.impulses == 1 && alone != nullptr;
+    const ContactLaw law = alone != nullptr ? data_.law(alone->a, alone->b) : ContactLaw{};
+    if (law.attenuation != 1) return;
+    const double slack = 64 * u * group.energy + group.swallowed + (group.coupled ? hidden * group.energy : 0);
+    double expected = 0;
+    if (plain) {
+        const Vec3 relative = bodies_->speed_before(alone->a) - bodies_->speed_before(alone->b);
+        const Vec3& n = alone->normal;
+        const double w = std::min(0.0, relative.dot(n)), t = w < 0 ? (relative - relative.dot(n) * n).squaredNorm() : 0;
+        const double mass = 1 / (bodies_->inverse_mass(alone->a) + bodies_->inverse_mass(alone->b));
+        expected = -mass / 2 * ((1 - restitution_ * restitution_) * w * w + (1 - law.tangential * law.tangential) * t);
+        if (!(std::abs(group.change - expected) <= slack))
+            fail("the energy of an impact does not balance, by " + figure((group.change - expected) / group.energy),
+                 group.first, group.second);
+        if (group.energy > 0)
+            Findings::keep_largest(findings_.out.largest_energy_error,
+                                   std::abs(group.change - expected) / group.energy);
+    } else if (!(group.change <= slack)) {
+        fail("impacts at one instant gain energy, " + figure(group.change / group.energy), group.first, group.second);
+    }
+    if (group.supported || group.coupled) return;  // of each body by itself: check_speed
+    const double left = group.momentum.cwiseAbs().maxCoeff();
+    if (!(left <= 64 * u * group.momenta))
+        fail("the momentum of an impact does not balance, by " + figure(left / group.momenta), group.first,
+             group.second);
+    if (group.momenta > 0) Findings::keep_largest(findings_.out.largest_momentum_error, left / group.momenta);
+}
+
+}  // namespace carom::verification

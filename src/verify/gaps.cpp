@@ -1,0 +1,195 @@
+#include "verify/gaps.hpp"
+
+#include <algorithm>
+
+namespace carom::verification {
+
+namespace {
+
+/// Of the promise for runs in doubles: 16 eps.
+constexpr double promised = 16 * 2 * u;
+/// Deeper than so many radii what no closed form gives is no error of a step any more.
+constexpr double deepest_numeric = 1e-2, deepest_guarded = 0.5;
+
+std::uint64_t pair_key(BodyId a, BodyId b)
+{
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
+}
+
+}  // namespace
+
+std::string pair_text(const RunData& data, BodyId a, BodyId b)
+{
+    return "sphere " + std::to_string(a) +
+           (b < data.spheres() ? " and sphere " + std::to_string(b)
+                               : " and plane " + std::to_string(b - data.spheres()));
+}
+
+Gaps::Gaps(const RunData& data, const Flights& flights, Findings& findings)
+    : data_(data), flights_(flights), findings_(findings)
+{
+    grades_.assign(data.run.spheres.size(), 0);
+    flown_before_.assign(data.run.spheres.size(), 0);
+}
+
+void Gaps::worsen(BodyId body, Grade grade)
+{
+    std::uint8_t& now = grades_[static_cast<std::size_t>(body)];
+    now = std::max(now, static_cast<std::uint8_t>(grade));
+}
+
+/// At most so far in this flight, or in the one before [cells].
+double Gaps::flown(BodyId body, const Ball& ball, const EpochTime& to) const
+{
+    const double t = between<double>(ball.path.start, to);
+    return std::max(static_cast<double>(flown_before_[static_cast<std::size_t>(body)]),
+                    t * (ball.path.velocity.norm() + t * ball.acceleration.norm()));
+}
+
+void Gaps::record(const GapFound& found, const EpochTime& from, const EpochTime& to, BodyId a, BodyId b)
+{
+    Certificate& out = findings_.out;
+    if (found.level == Level::double_double) ++out.needed_double_double;
+    if (found.level == Level::exact) ++out.needed_exact;
+    const EpochTime& when = found.at_start ? from : to;
+    if (found.measured && found.gap < smallest_) {
+        smallest_ = found.gap;
+        out.smallest_gap = found.gap * data_.units.length;
+        out.smallest_gap_time = data_.units.seconds(when);
+    }
+    if (found.grade == Grade::violated)
+        findings_.violation(pair_text(data_, a, b) + " overlap, gap " + figure(found.gap * data_.units.length), when, a,
+                            b);
+    worsen(a, found.grade);
+    if (b < data_.spheres()) worsen(b, found.grade);
+}
+
+template <class Again>
+void Gaps::judge(GapFound& found, const Path& a, const Path& b, double radius, const Again& again)
+{
+    if (found.grade <= Grade::bounded || !found.measured) return;
+    if (a.mode == Mode::numeric || b.mode == Mode::numeric) {
+        const bool guarded = a.guarded || b.guarded;
+        if (found.gap < -(guarded ? deepest_guarded : deepest_numeric) * radius) return;
+        found.grade = Grade::measured;
+        Certificate& out = findings_.out;
+        Findings::keep_largest(guarded ? out.guarded_depth : out.numeric_depth, -found.gap * data_.units.length);
+        return;
+    }
+    if (!is_held_by_several(a) && !is_held_by_several(b)) return;
+    const GapFound loose = again(contact_slack * radius);
+    if (loose.grade <= Grade::bounded) found.grade = Grade::in_contact;
+}
+
+void Gaps::pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to, bool is_near)
+{
+    const Ball ball_a = ball_of(data_, flights_, a), ball_b = ball_of(data_, flights_, b);
+    if (ball_a.path.mode == Mode::fixed && ball_b.path.mode == Mode::fixed) return;
+    PairSegment segment{ball_a.path, ball_b.path, ball_a.acceleration, ball_b.acceleration,
+                        from,        to,          ball_a.radius,       ball_b.radius,
+                        nullptr,     nullptr};
+    if (!overlaps_.empty())
+        if (const auto found = overlaps_.find(pair_key(std::min(a, b), std::max(a, b))); found != overlaps_.end()) {
+            segment.initial_a = &found->second.first;
+            segment.initial_b = &found->second.second;
+        }
+    if (!is_near && is_clear(segment, smallest_)) return;
+    const double allowed =
+        promised * std::max({ball_a.radius + ball_b.radius, flown(a, ball_a, to), flown(b, ball_b, to)});
+    const bool is_swept = ball_a.is_swept || ball_b.is_swept;
+    GapFound found = examine(segment, data_.run.certified && !is_swept ? 0 : allowed);
+    if (is_swept) {
+        // The ball that a series stays in is larger than the sphere: that it touches shows nothing.
+        found.measured = false;
+        if (found.grade == Grade::violated) found.grade = Grade::not_certified;
+    }
+    judge(found, ball_a.path, ball_b.path, std::min(ball_a.radius, ball_b.radius),
+          [&](double bound) { return examine(segment, bound); });
+    record(found, from, to, std::min(a, b), std::max(a, b));
+}
+
+void Gaps::plane(BodyId body, int p, const EpochTime& to)
+{
+    const Ball ball = ball_of(data_, flights_, body);
+    if (p == ball.path.support) return support(body, flights_.path(body), p, to);
+    const Wall& wall = data_.wall(p);
+    const BodyId partner = data_.spheres() + p;
+    WallSegment segment{ball.path, ball.acceleration, wall,   side_of(wall, ball.path), ball.path.start,
+                        to,        ball.radius,       nullptr};
+    if (!overlaps_.empty())
+        if (const auto found = overlaps_.find(pair_key(body, partner)); found != overlaps_.end())
+            segment.initial = &found->second.first;
+    if (is_clear(segment, smallest_)) return;
+    const double allowed = promised * std::max(ball.radius, flown(body, ball, to));
+    GapFound found = examine(segment, data_.run.certified && !ball.is_swept ? 0 : allowed);
+    if (ball.is_swept) {
+        found.measured = false;
+        if (found.grade == Grade::violated) found.grade = Grade::not_certified;
+    }
+    judge(found, ball.path, ball.path, ball.radius, [&](double bound) { return examine(segment, bound); });
+    record(found, ball.path.start, to, body, partner);
+}
+
+/// The plane that carries a body: a persistent contact stays closed, and the bounces of a series begin and end there.
+void Gaps::support(BodyId body, const Path& path, int p, const EpochTime& to)
+{
+    const Wall& wall = data_.wall(p);
+    const double radius = data_.radius(body);
+    const BodyId partner = data_.spheres() + p;
+    const Vec3 acceleration = data_.acceleration(path);
+    WallSegment segment{path, acceleration, wall, side_of(wall, path), path.start, to, radius, nullptr};
+    if (is_held(path)) {
+        const double distance = largest_distance(segment);
+        if (distance > contact_slack * radius)
+            findings_.violation(
+                pair_text(data_, body, partner) + " are not in contact, gap " + figure(distance * data_.units.length),
+                to, body, partner);
+        return;
+    }
+    // In a series the sphere is lowest where it bounces, and it bounces where it began.
+    segment.to = path.start;
+    record(examine(segment, promised * std::max(radius, 1.0)), path.start, path.start, body, partner);
+}
+
+void Gaps::count(BodyId body, const EpochTime& now)
+{
+    const Path path = flights_.path(body);
+    const double epochs = between<double>(path.start, now), seconds = epochs * data_.units.time;
+    flown_before_[static_cast<std::size_t>(body)] =
+        static_cast<float>(epochs * (path.velocity.norm() + epochs * data_.acceleration(path).norm()) * 1.0001);
+    std::uint8_t& kept = grades_[static_cast<std::size_t>(body)];
+    const auto grade = static_cast<Grade>(kept);
+    kept = 0;
+    CertifiedSeconds& sum = findings_.out.body_seconds;
+    if (path.guarded)
+        sum.guarded += seconds;
+    else if (path.mode == Mode::numeric || grade == Grade::measured)
+        sum.numeric += seconds;
+    else
+        (grade == Grade::exact        ? sum.exact
+         : grade == Grade::bounded    ? sum.bounded
+         : grade == Grade::in_contact ? sum.in_contact
+                                      : sum.not_certified) += seconds;
+}
+
+void Gaps::note_overlap(BodyId a, BodyId b)
+{
+    const Path pa = flights_.path(a), pb = flights_.path(b);
+    const Vec3 acceleration_a = data_.acceleration(pa), acceleration_b = data_.acceleration(pb);
+    const PairSegment s{pa,      pb,     acceleration_a, acceleration_b, {}, {}, data_.radius(a), data_.radius(b),
+                        nullptr, nullptr};
+    if (is_clear(s, 0)) return;
+    if (examine(s, 0).grade != Grade::exact) overlaps_.try_emplace(pair_key(a, b), pa, pb);
+}
+
+void Gaps::note_overlap_with_plane(BodyId body, int p)
+{
+    const Path path = flights_.path(body);
+    const Wall& wall = data_.wall(p);
+    const Vec3 acceleration = data_.acceleration(path);
+    const WallSegment s{path, acceleration, wall, side_of(wall, path), {}, {}, data_.radius(body), nullptr};
+    if (!is_clear(s, 0) && examine(s, 0).grade != Grade::exact)
+        overlaps_.try_emplace(pair_key(body, data_.spheres() + p), path, path);
+}
+
+}  // namespace carom::verification
