@@ -14,11 +14,14 @@ namespace carom {
 
 namespace {
 
-/// Is this more than an impact of a sphere and a plane alone, or less: one without a rebound?
+/// Is this more than an impact of a sphere and a plane alone, or less: one without a rebound? (Where gravity presses, low
+/// bounces are summed instead, or go on until rounding ends them.)
 bool is_coupled(const State& state, const Key& key, const Flight& f, const Vec3& normal,
                 const Neighbourhood& neighbourhood)
 {
-    return f.support == several_supports || is_inelastic(state, key.a, key.b, -normal.dot(f.velocity), key.time) ||
+    const bool pressed = normal.dot(state.accelerations[f.acceleration]) < 0;
+    return f.support == several_supports ||
+           (!pressed && is_inelastic(state, key.a, key.b, -normal.dot(f.velocity), key.time)) ||
            belongs_to_previous_instant(state, key) ||
            other_closed(state, Instant(state, key), f, key.a, key.b, neighbourhood);
 }
