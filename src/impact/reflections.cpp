@@ -144,18 +144,18 @@ double blended_restitution(const Cluster& cluster, const ProjectionProblem& prob
 
 NormalImpact reflections(const Cluster& cluster, const ReflectionsOptions& options)
 {
-    NormalImpact inelastic_impact = inelastic(cluster);
     const ProjectionProblem problem = projection_problem(cluster);
     const double e = blended_restitution(cluster, problem);
-    if (e == 0) return inelastic_impact;
-
+    if (e == 0) return inelastic(cluster);
     NormalImpact out = Reflections(problem).solve(options.jam_test);
+    if (e == 1 && !out.capped) return out;
+    NormalImpact without = inelastic(cluster);
     if (out.capped) {
-        out.impulses = std::move(inelastic_impact.impulses);
+        out.impulses = std::move(without.impulses);
         return out;
     }
     for (std::size_t i = 0; i < out.impulses.size(); ++i)
-        out.impulses[i] = e * out.impulses[i] + (1 - e) * inelastic_impact.impulses[i];
+        out.impulses[i] = e * out.impulses[i] + (1 - e) * without.impulses[i];
     return out;
 }
 

@@ -61,6 +61,7 @@ public:
             improves = left < error / 2;
             error = left;
         }
+        out_.projection.steps = out_.newton_steps;
         out_.projection.complete = is_solved(tolerances);
         return std::move(out_);
     }
@@ -105,8 +106,8 @@ private:
         return true;
     }
 
-    /// min over y of |y|^2 / 2 + epsilon/2 sum max(0, t_i)^2, t_i = multiplier_i - slack_i / epsilon; multipliers <- the
-    /// positive t_i. \returns whether the minimum was reached
+    /// min over y of |y|^2 / 2 + epsilon/2 sum max(0, t_i)^2, t_i = multiplier_i - slack_i / epsilon; multipliers <-
+    /// the positive t_i. \returns whether the minimum was reached
     bool minimise()
     {
         UnitVectors y(problem_.start.size(), BlockCholesky::Vector{});

@@ -24,8 +24,7 @@ void subtract_product(const Block& a, const Block& b, Block& target)
 {
     for (std::size_t r = 0; r < 3; ++r)
         for (std::size_t c = 0; c < 3; ++c)
-            target[3 * r + c] -=
-                a[3 * r] * b[3 * c] + a[3 * r + 1] * b[3 * c + 1] + a[3 * r + 2] * b[3 * c + 2];
+            target[3 * r + c] -= a[3 * r] * b[3 * c] + a[3 * r + 1] * b[3 * c + 1] + a[3 * r + 2] * b[3 * c + 2];
 }
 
 /// The lower triangle of the Cholesky factor; above it zeros.

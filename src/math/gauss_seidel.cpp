@@ -6,7 +6,7 @@ namespace carom {
 
 Projection gauss_seidel(const ProjectionProblem& problem, int sweeps, std::vector<double> multipliers)
 {
-    Projection out{problem.start, std::move(multipliers), false};
+    Projection out{problem.start, std::move(multipliers), false, 0};
     const std::size_t count = problem.half_spaces.size();
     std::vector<double> length2(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -15,6 +15,7 @@ Projection gauss_seidel(const ProjectionProblem& problem, int sweeps, std::vecto
     }
     for (int sweep = 0; sweep < sweeps && !out.complete; ++sweep) {
         out.complete = true;
+        ++out.steps;
         for (std::size_t j = 0; j < count; ++j) {
             const std::size_t i = sweep % 2 == 0 ? j : count - 1 - j;
             const HalfSpace& h = problem.half_spaces[i];

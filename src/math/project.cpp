@@ -33,7 +33,7 @@ Projection solve(const ProjectionProblem& part, std::span<const double> guess)
 
 Projection project(const ProjectionProblem& problem, std::span<const int> chosen, std::span<const double> guess)
 {
-    Projection out{problem.start, std::vector<double>(problem.half_spaces.size(), 0.0), true};
+    Projection out{problem.start, std::vector<double>(problem.half_spaces.size(), 0.0), true, 0};
     for (const Component& part : components(problem.half_spaces, chosen, problem.start.size())) {
         if (is_satisfied(problem, part)) continue;
         if (part.half_spaces.size() == 1) {
@@ -41,6 +41,7 @@ Projection project(const ProjectionProblem& problem, std::span<const int> chosen
             const HalfSpace& h = problem.half_spaces[i];
             out.multipliers[i] = -slack(h, problem.start) / normal_length2(h, problem.w);
             push(h, problem.w, out.multipliers[i], out.point);
+            ++out.steps;
             continue;
         }
         std::vector<double> part_guess;
@@ -48,6 +49,7 @@ Projection project(const ProjectionProblem& problem, std::span<const int> chosen
             for (const int i : part.half_spaces) part_guess.push_back(guess[static_cast<std::size_t>(i)]);
         const Projection solved = solve(part_of(problem, part), part_guess);
         out.complete = out.complete && solved.complete;
+        out.steps += solved.steps;
         for (std::size_t k = 0; k < part.vectors.size(); ++k)
             out.point[static_cast<std::size_t>(part.vectors[k])] = solved.point[k];
         for (std::size_t k = 0; k < part.half_spaces.size(); ++k)
