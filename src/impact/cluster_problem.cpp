@@ -36,11 +36,17 @@ double kinetic_energy(const Cluster& cluster, std::span<const Vec3> velocities)
     return sum;
 }
 
-std::vector<Vec3> velocities_after(const Cluster& cluster, std::span<const Vec3> impulses)
+std::vector<Vec3> velocities_before(const Cluster& cluster)
 {
     std::vector<Vec3> out;
     out.reserve(cluster.bodies.size());
     for (const ClusterBody& body : cluster.bodies) out.push_back(body.velocity);
+    return out;
+}
+
+std::vector<Vec3> velocities_after(const Cluster& cluster, std::vector<Vec3> velocities, std::span<const Vec3> impulses)
+{
+    std::vector<Vec3> out = std::move(velocities);
     for (std::size_t i = 0; i < impulses.size(); ++i) {
         const ClusterContact& contact = cluster.contacts[i];
         const auto a = static_cast<std::size_t>(contact.a);

@@ -22,8 +22,11 @@ double largest_speed(std::span<const Vec3> velocities);
 /// Kinetic energy [mass speed^2]
 double kinetic_energy(const Cluster& cluster, std::span<const Vec3> velocities);
 
-/// Momentum that impulses on a and -impulses on b leave in the velocities.
-std::vector<Vec3> velocities_after(const Cluster& cluster, std::span<const Vec3> impulses);
+std::vector<Vec3> velocities_before(const Cluster& cluster);
+
+/// With impulses on a and -impulses on b added, in the order of the contacts.
+std::vector<Vec3> velocities_after(const Cluster& cluster, std::vector<Vec3> velocities,
+                                   std::span<const Vec3> impulses);
 
 /// Closing rates that no response leaves behind.
 bool nothing_closes(const Cluster& cluster, std::span<const Vec3> velocities, double tolerance);

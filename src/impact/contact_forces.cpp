@@ -9,9 +9,11 @@
 
 namespace carom {
 
-ContactForces solve_contact_forces(const Cluster& cluster, std::span<const double> curvature)
+ContactForces solve_contact_forces(const Cluster& cluster, std::span<const double> curvature,
+                                   std::span<const double> guess)
 {
     CAROM_EXPECT(curvature.size() == cluster.contacts.size());
+    CAROM_EXPECT(guess.empty() || guess.size() == cluster.contacts.size());
     ProjectionProblem problem = projection_problem(cluster);
     double scale = largest_speed(problem.start);
     for (std::size_t i = 0; i < curvature.size(); ++i) {
@@ -21,7 +23,7 @@ ContactForces solve_contact_forces(const Cluster& cluster, std::span<const doubl
     }
     problem.tolerance = projection_tolerance * scale;
 
-    Projection solved = project(problem);
+    Projection solved = project(problem, guess);
     ContactForces out{std::move(solved.multipliers), std::move(solved.point), {}};
     out.gap_rates.reserve(curvature.size());
     for (std::size_t i = 0; i < curvature.size(); ++i)

@@ -1,5 +1,6 @@
 #include "impact/jam.hpp"
 
+#include "math/components.hpp"
 #include "math/dual_active_set.hpp"
 
 #include <algorithm>
@@ -12,21 +13,29 @@ namespace {
 constexpr double smallest_opening = 1e-7;
 /// Of the openings asked for, which are 1.
 constexpr double opening_tolerance = 1e-6;
+/// Connected contacts beyond which the test would take seconds; rounds then meet their bound.
+constexpr std::size_t most_asked = 200;
 }  // namespace
 
-bool mark_jammed(const ProjectionProblem& problem, std::vector<char>& jammed)
+bool mark_jammed(const ProjectionProblem& problem, std::span<const int> asked, std::vector<char>& jammed)
 {
-    // The shortest way that opens every contact by 1, in units of its own normal, is 1/delta long.
-    ProjectionProblem opening{std::vector<Vec3>(problem.start.size(), Vec3::Zero()), problem.w, problem.half_spaces, 0};
-    for (std::size_t i = 0; i < jammed.size(); ++i) {
-        HalfSpace& h = opening.half_spaces[i];
-        h.offset = jammed[i] ? 0 : -std::sqrt(normal_length2(h, problem.w));
-    }
     bool found = false;
-    for (const int i : dual_active_set(opening, {1 / smallest_opening, opening_tolerance}).conflict) {
-        char& mark = jammed[static_cast<std::size_t>(i)];
-        found = found || mark == 0;
-        mark = 1;
+    for (const Component& part : components(problem.half_spaces, asked, problem.start.size())) {
+        if (part.half_spaces.size() > most_asked) continue;
+        // The shortest way that opens every contact by 1, in units of its own normal, is 1/delta long.
+        ProjectionProblem opening = part_of(problem, part);
+        std::fill(opening.start.begin(), opening.start.end(), Vec3::Zero());
+        for (std::size_t k = 0; k < part.half_spaces.size(); ++k) {
+            HalfSpace& h = opening.half_spaces[k];
+            const bool marked = jammed[static_cast<std::size_t>(part.half_spaces[k])] != 0;
+            h.offset = marked ? 0 : -std::sqrt(normal_length2(h, opening.w));
+        }
+        opening.tolerance = 0;
+        for (const int k : dual_active_set(opening, {1 / smallest_opening, opening_tolerance}).conflict) {
+            char& mark = jammed[static_cast<std::size_t>(part.half_spaces[static_cast<std::size_t>(k)])];
+            found = found || mark == 0;
+            mark = 1;
+        }
     }
     return found;
 }

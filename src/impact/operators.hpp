@@ -16,6 +16,9 @@ struct NormalImpact {
     int rounds = 0;
     bool jammed = false;  ///< `reflections`: a jammed set was found and projected
     bool capped = false;  ///< the bound on rounds was met: the impulses are the inelastic ones
+    /// `shock`: velocities after, as impulses on lower bodies went into the ground. Empty: those that the impulses
+    /// give.
+    std::vector<Vec3> velocities;
 };
 
 /// All contacts inelastic: the velocities nearest to those before, in the metric of kinetic energy, that close nothing.

@@ -13,16 +13,21 @@ namespace {
 
 /// Rounds end where they end; only those that go on for so long are asked whether they are jammed.
 constexpr int rounds_before_jam_test = 24;
+/// Of them the last ones, which tell what goes on and on; larger clusters are asked for these contacts only.
+constexpr int recent_rounds = 8;
+constexpr std::size_t asked_as_a_whole = 100;
 
+/// Clusters of more than 100 contacts are no harder, but their rounds cost more.
 int most_rounds(std::size_t contacts)
 {
-    return 100 + 10 * static_cast<int>(contacts);
+    return 100 + 10 * static_cast<int>(std::min<std::size_t>(contacts, 100));
 }
 
 struct Rounds {
     std::vector<double> impulses;
     int rounds = 0;
     bool ended = false;
+    std::vector<char> recent;  ///< contacts with an impulse in the last rounds
 };
 
 class Reflections {
@@ -37,11 +42,16 @@ public:
     NormalImpact solve(bool jam_test)
     {
         NormalImpact out;
-        Rounds rounds = run(jam_test ? rounds_before_jam_test : most_rounds(jammed_.size()));
-        if (!rounds.ended && jam_test) {
-            while (mark_jammed(problem_, jammed_)) out.jammed = true;
-            rounds = run(most_rounds(jammed_.size()));
+        Rounds rounds;
+        if (jam_test) {
+            rounds = run(rounds_before_jam_test);
+            // Every test but the last marks a contact; those that are marked already may hold others closed.
+            while (!rounds.ended && mark_jammed(problem_, asked(rounds.recent), jammed_)) {
+                out.jammed = true;
+                rounds = run(rounds_before_jam_test);
+            }
         }
+        if (!rounds.ended) rounds = run(most_rounds(jammed_.size()));
         out.impulses = std::move(rounds.impulses);
         out.rounds = rounds.rounds;
         out.capped = !rounds.ended;
@@ -53,7 +63,7 @@ private:
     Rounds run(int most)
     {
         ProjectionProblem at = problem_;
-        Rounds out{std::vector<double>(jammed_.size(), 0.0), 0, false};
+        Rounds out{std::vector<double>(jammed_.size(), 0.0), 0, false, std::vector<char>(jammed_.size(), 0)};
         close_jammed(at, out.impulses);
         for (; out.rounds < most; ++out.rounds) {
             const std::vector<int> closing = closing_contacts(at);
@@ -65,10 +75,19 @@ private:
             for (std::size_t i = 0; i < multipliers.size(); ++i) {
                 if (multipliers[i] == 0) continue;
                 out.impulses[i] += 2 * multipliers[i];
+                if (out.rounds >= most - recent_rounds) out.recent[i] = 1;
                 push(at.half_spaces[i], at.w, 2 * multipliers[i], at.start);
             }
             close_jammed(at, out.impulses);
         }
+        return out;
+    }
+
+    std::vector<int> asked(const std::vector<char>& recent) const
+    {
+        std::vector<int> out;
+        for (std::size_t i = 0; i < jammed_.size(); ++i)
+            if (jammed_[i] || recent[i] || jammed_.size() <= asked_as_a_whole) out.push_back(static_cast<int>(i));
         return out;
     }
 
@@ -125,18 +144,18 @@ double blended_restitution(const Cluster& cluster, const ProjectionProblem& prob
 
 NormalImpact reflections(const Cluster& cluster, const ReflectionsOptions& options)
 {
-    NormalImpact inelastic_impact = inelastic(cluster);
     const ProjectionProblem problem = projection_problem(cluster);
     const double e = blended_restitution(cluster, problem);
-    if (e == 0) return inelastic_impact;
-
+    if (e == 0) return inelastic(cluster);
     NormalImpact out = Reflections(problem).solve(options.jam_test);
+    if (e == 1 && !out.capped) return out;
+    NormalImpact without = inelastic(cluster);
     if (out.capped) {
-        out.impulses = std::move(inelastic_impact.impulses);
+        out.impulses = std::move(without.impulses);
         return out;
     }
     for (std::size_t i = 0; i < out.impulses.size(); ++i)
-        out.impulses[i] = e * out.impulses[i] + (1 - e) * inelastic_impact.impulses[i];
+        out.impulses[i] = e * out.impulses[i] + (1 - e) * without.impulses[i];
     return out;
 }
 

@@ -62,4 +62,24 @@ std::vector<Component> components(std::span<const HalfSpace> half_spaces, std::s
     return out;
 }
 
+ProjectionProblem part_of(const ProjectionProblem& whole, const Component& part)
+{
+    ProjectionProblem out;
+    out.tolerance = whole.tolerance;
+    for (const int k : part.vectors) {
+        out.start.push_back(whole.start[static_cast<std::size_t>(k)]);
+        out.w.push_back(whole.w[static_cast<std::size_t>(k)]);
+    }
+    const auto local = [&part](int k) {
+        return static_cast<int>(std::lower_bound(part.vectors.begin(), part.vectors.end(), k) - part.vectors.begin());
+    };
+    for (const int i : part.half_spaces) {
+        HalfSpace h = whole.half_spaces[static_cast<std::size_t>(i)];
+        h.a = local(h.a);
+        if (h.b >= 0) h.b = local(h.b);
+        out.half_spaces.push_back(h);
+    }
+    return out;
+}
+
 }  // namespace carom

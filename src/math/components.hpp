@@ -16,4 +16,7 @@ struct Component {
 std::vector<Component> components(std::span<const HalfSpace> half_spaces, std::span<const int> chosen,
                                   std::size_t vectors);
 
+/// The component as a problem of its own, vectors and half-spaces in the component's order.
+ProjectionProblem part_of(const ProjectionProblem& whole, const Component& part);
+
 }  // namespace carom

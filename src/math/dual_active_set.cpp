@@ -132,6 +132,7 @@ private:
             if (whole) {
                 multiplier_[static_cast<std::size_t>(p)] = entering;
                 active_.push_back(p);
+                ++out_.projection.steps;
                 qr_.append(split);
                 return too_far();
             }

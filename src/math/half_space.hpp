@@ -52,6 +52,7 @@ struct Projection {
     /// Every slack is above -tolerance, those of multipliers > 0 within it. Otherwise the bound on steps was met, and
     /// the point is start + pushes all the same.
     bool complete = true;
+    int steps = 0;  ///< of the solver: half-spaces that became active, Newton steps or sweeps
 };
 
 }  // namespace carom

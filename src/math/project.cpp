@@ -1,32 +1,15 @@
 #include "math/project.hpp"
 
+#include "math/augmented_lagrangian.hpp"
 #include "math/components.hpp"
 #include "math/dual_active_set.hpp"
+#include "math/gauss_seidel.hpp"
 
 #include <numeric>
 
 namespace carom {
 
 namespace {
-
-ProjectionProblem part_of(const ProjectionProblem& whole, const Component& part, std::vector<int>& local)
-{
-    ProjectionProblem out;
-    out.tolerance = whole.tolerance;
-    for (std::size_t k = 0; k < part.vectors.size(); ++k) {
-        const auto index = static_cast<std::size_t>(part.vectors[k]);
-        local[index] = static_cast<int>(k);
-        out.start.push_back(whole.start[index]);
-        out.w.push_back(whole.w[index]);
-    }
-    for (const int i : part.half_spaces) {
-        HalfSpace h = whole.half_spaces[static_cast<std::size_t>(i)];
-        h.a = local[static_cast<std::size_t>(h.a)];
-        if (h.b >= 0) h.b = local[static_cast<std::size_t>(h.b)];
-        out.half_spaces.push_back(h);
-    }
-    return out;
-}
 
 bool is_satisfied(const ProjectionProblem& problem, const Component& part)
 {
@@ -35,12 +18,22 @@ bool is_satisfied(const ProjectionProblem& problem, const Component& part)
     return true;
 }
 
+/// What neither solver finishes is left to sweeps, which never make it worse.
+constexpr int last_sweeps = 1000;
+
+Projection solve(const ProjectionProblem& part, std::span<const double> guess)
+{
+    Projection out = part.half_spaces.size() <= dense_limit ? dual_active_set(part).projection
+                                                            : augmented_lagrangian(part, {guess}).projection;
+    if (!out.complete) out = gauss_seidel(part, last_sweeps, std::move(out.multipliers));
+    return out;
+}
+
 }  // namespace
 
-Projection project(const ProjectionProblem& problem, std::span<const int> chosen)
+Projection project(const ProjectionProblem& problem, std::span<const int> chosen, std::span<const double> guess)
 {
-    Projection out{problem.start, std::vector<double>(problem.half_spaces.size(), 0.0), true};
-    std::vector<int> local(problem.start.size());
+    Projection out{problem.start, std::vector<double>(problem.half_spaces.size(), 0.0), true, 0};
     for (const Component& part : components(problem.half_spaces, chosen, problem.start.size())) {
         if (is_satisfied(problem, part)) continue;
         if (part.half_spaces.size() == 1) {
@@ -48,10 +41,15 @@ Projection project(const ProjectionProblem& problem, std::span<const int> chosen
             const HalfSpace& h = problem.half_spaces[i];
             out.multipliers[i] = -slack(h, problem.start) / normal_length2(h, problem.w);
             push(h, problem.w, out.multipliers[i], out.point);
+            ++out.steps;
             continue;
         }
-        const Projection solved = dual_active_set(part_of(problem, part, local)).projection;
+        std::vector<double> part_guess;
+        if (!guess.empty())
+            for (const int i : part.half_spaces) part_guess.push_back(guess[static_cast<std::size_t>(i)]);
+        const Projection solved = solve(part_of(problem, part), part_guess);
         out.complete = out.complete && solved.complete;
+        out.steps += solved.steps;
         for (std::size_t k = 0; k < part.vectors.size(); ++k)
             out.point[static_cast<std::size_t>(part.vectors[k])] = solved.point[k];
         for (std::size_t k = 0; k < part.half_spaces.size(); ++k)
@@ -60,11 +58,11 @@ Projection project(const ProjectionProblem& problem, std::span<const int> chosen
     return out;
 }
 
-Projection project(const ProjectionProblem& problem)
+Projection project(const ProjectionProblem& problem, std::span<const double> guess)
 {
     std::vector<int> all(problem.half_spaces.size());
     std::iota(all.begin(), all.end(), 0);
-    return project(problem, all);
+    return project(problem, all, guess);
 }
 
 }  // namespace carom

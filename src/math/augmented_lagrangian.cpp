@@ -1,0 +1,202 @@
+#include "math/augmented_lagrangian.hpp"
+
+#include "math/block_cholesky.hpp"
+#include "math/gauss_seidel.hpp"
+#include "math/line_search.hpp"
+#include "math/unit_normals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+// The penalty 1/epsilon: unit normals, so epsilon is seen against eigenvalues of at most about 10. Small ones find the
+// multipliers in few rounds of many Newton steps, large ones in many rounds of few steps.
+constexpr double first_epsilon = 1e-2;
+constexpr double last_epsilon = 1e-6;  // below, rounding of slacks spoils multipliers
+constexpr double epsilon_factor = 0.2;
+/// A round that leaves more than this part of the errors wants a smaller epsilon.
+constexpr double good_round = 1.0 / 30;
+
+constexpr int first_sweeps = 30;
+constexpr int most_rounds = 60;
+constexpr int most_inner_steps = 60;
+constexpr int most_steps = 600;
+constexpr double tolerances = 100;
+constexpr double gradient_rounding = 1e-14;
+/// A multiplication of an update takes as long as so many of a factorisation (memory).
+constexpr double update_price = 2.5;
+
+class AugmentedLagrangian {
+public:
+    explicit AugmentedLagrangian(const ProjectionProblem& problem)
+        : problem_(problem), cholesky_(static_cast<int>(problem.start.size()), edges(problem))
+    {
+        for (const HalfSpace& h : problem.half_spaces) normals_.emplace_back(h, problem.w);
+        slack_.resize(normals_.size());
+    }
+
+    AugmentedLagrangianResult solve(std::span<const double> guess)
+    {
+        std::vector<double> first(guess.begin(), guess.end());
+        if (first.empty())
+            first = gauss_seidel(problem_, first_sweeps, std::vector<double>(normals_.size(), 0.0)).multipliers;
+        for (std::size_t i = 0; i < normals_.size(); ++i)
+            multiplier_.push_back(std::max(0.0, first[i] * normals_[i].length));
+        place_point();
+        double error = largest_error();
+        bool improves = true;
+        for (int round = 0; round < most_rounds && out_.newton_steps < most_steps; ++round) {
+            // Once good enough, further rounds cost a solve each; go on as long as they pay.
+            if (is_solved(1) || (is_solved(tolerances) && !improves)) break;
+            const bool converged = minimise();
+            place_point();
+            const double left = largest_error();
+            if (converged && left > good_round * error && epsilon_ > last_epsilon) {
+                epsilon_ = std::max(last_epsilon, epsilon_factor * epsilon_);
+                factored_.clear();
+            }
+            improves = left < error / 2;
+            error = left;
+        }
+        out_.projection.steps = out_.newton_steps;
+        out_.projection.complete = is_solved(tolerances);
+        return std::move(out_);
+    }
+
+private:
+    static std::vector<std::pair<int, int>> edges(const ProjectionProblem& problem)
+    {
+        std::vector<std::pair<int, int>> out;
+        for (const HalfSpace& h : problem.half_spaces)
+            if (h.b >= 0) out.emplace_back(h.a, h.b);
+        return out;
+    }
+
+    /// The point that the multipliers give, and the slacks that it really has.
+    void place_point()
+    {
+        Projection& result = out_.projection;
+        result.point = problem_.start;
+        result.multipliers.assign(normals_.size(), 0);
+        for (std::size_t i = 0; i < normals_.size(); ++i) {
+            if (multiplier_[i] == 0) continue;
+            result.multipliers[i] = multiplier_[i] / normals_[i].length;
+            push(problem_.half_spaces[i], problem_.w, result.multipliers[i], result.point);
+        }
+        for (std::size_t i = 0; i < normals_.size(); ++i)
+            slack_[i] = slack(problem_.half_spaces[i], result.point) / normals_[i].length;
+    }
+
+    double error(std::size_t i) const { return multiplier_[i] > 0 ? std::abs(slack_[i]) : -slack_[i]; }
+
+    double largest_error() const
+    {
+        double out = 0;
+        for (std::size_t i = 0; i < normals_.size(); ++i) out = std::max(out, error(i));
+        return out;
+    }
+
+    bool is_solved(double within) const
+    {
+        for (std::size_t i = 0; i < normals_.size(); ++i)
+            if (error(i) * normals_[i].length > within * problem_.tolerance) return false;
+        return true;
+    }
+
+    /// min over y of |y|^2 / 2 + epsilon/2 sum max(0, t_i)^2, t_i = multiplier_i - slack_i / epsilon; multipliers <-
+    /// the positive t_i. \returns whether the minimum was reached
+    bool minimise()
+    {
+        UnitVectors y(problem_.start.size(), BlockCholesky::Vector{});
+        std::vector<double> t(normals_.size()), rate(normals_.size());
+        for (std::size_t i = 0; i < normals_.size(); ++i) {
+            if (multiplier_[i] > 0) normals_[i].add_to(y, multiplier_[i]);
+            t[i] = multiplier_[i] - slack_[i] / epsilon_;
+        }
+        bool whole_step = false, converged = false;
+        for (int step = 0; step < most_inner_steps && !converged; ++step) {
+            UnitVectors gradient = y;
+            double size = 0;
+            std::vector<char> active(normals_.size(), 0);
+            for (std::size_t i = 0; i < normals_.size(); ++i) {
+                if (t[i] <= 0) continue;
+                active[i] = 1;
+                normals_[i].add_to(gradient, -t[i]);
+                size = std::max(size, t[i]);
+            }
+            const bool same_set = factored_ == active;
+            converged = step > 0 && ((same_set && whole_step) || largest(gradient) <= gradient_rounding * size);
+            if (converged) break;
+            if (!same_set) follow(active);
+            cholesky_.solve(gradient);
+            for (BlockCholesky::Vector& d : gradient)
+                for (double& x : d) x = -x;
+            const UnitVectors& direction = gradient;
+            for (std::size_t i = 0; i < normals_.size(); ++i) rate[i] = normals_[i].dot(direction);
+            const double tau = line_search(y, direction, t, rate, epsilon_);
+            whole_step = std::abs(tau - 1) < 1e-9;
+            for (std::size_t k = 0; k < y.size(); ++k)
+                for (std::size_t c = 0; c < 3; ++c) y[k][c] += tau * direction[k][c];
+            for (std::size_t i = 0; i < normals_.size(); ++i) {
+                slack_[i] += tau * rate[i];
+                t[i] = multiplier_[i] - slack_[i] / epsilon_;
+            }
+            ++out_.newton_steps;
+        }
+        for (std::size_t i = 0; i < normals_.size(); ++i) multiplier_[i] = std::max(0.0, t[i]);
+        return converged;
+    }
+
+    static double largest(const UnitVectors& vectors)
+    {
+        double out = 0;
+        for (const BlockCholesky::Vector& v : vectors)
+            for (const double x : v) out = std::max(out, std::abs(x));
+        return out;
+    }
+
+    /// The factor of I + sum a_i a_i^T / epsilon over the active ones.
+    void follow(const std::vector<char>& active)
+    {
+        const double scale = 1 / std::sqrt(epsilon_);
+        std::vector<std::size_t> changed;
+        double cost = 0;
+        for (std::size_t i = 0; i < factored_.size(); ++i)
+            if (active[i] != factored_[i]) {
+                changed.push_back(i);
+                cost += update_price * cholesky_.update_cost(normals_[i]);
+            }
+        if (factored_.empty() || cost > cholesky_.factor_cost()) {
+            std::vector<BlockCholesky::Column> columns;
+            for (std::size_t i = 0; i < active.size(); ++i)
+                if (active[i]) columns.push_back(normals_[i].scaled(scale));
+            cholesky_.factor(columns);
+            ++out_.factorisations;
+        } else {
+            for (const std::size_t i : changed) cholesky_.update(normals_[i].scaled(scale), active[i] ? 1 : -1);
+            out_.updates += static_cast<int>(changed.size());
+        }
+        factored_ = active;
+    }
+
+    const ProjectionProblem& problem_;
+    BlockCholesky cholesky_;
+    double epsilon_ = first_epsilon;
+    std::vector<UnitNormal> normals_;
+    std::vector<double> multiplier_, slack_;  ///< of unit normals
+    std::vector<char> factored_;              ///< the active ones that the factor is of
+    AugmentedLagrangianResult out_;
+};
+
+}  // namespace
+
+AugmentedLagrangianResult augmented_lagrangian(const ProjectionProblem& problem,
+                                               const AugmentedLagrangianOptions& options)
+{
+    return AugmentedLagrangian(problem).solve(options.guess);
+}
+
+}  // namespace carom
