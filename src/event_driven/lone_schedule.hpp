@@ -44,7 +44,9 @@ public:
     /// it stops after one that loses energy
     int bounces(State& state, const EpochTime& last, int most, Ledger& ledger)
     {
-        if (plates_ || next_.key.kind != Scheduled::plane_impact || state.flights[0].support != -1) return 0;
+        if (plates_ || state.scene.rest.policy == RestPolicy::micro || next_.key.kind != Scheduled::plane_impact ||
+            state.flights[0].support != -1)
+            return 0;
         return walls_.size() == 1 ? bounces_among<true>(state, last, most, ledger)
                                   : bounces_among<false>(state, last, most, ledger);
     }
@@ -120,7 +122,8 @@ private:
             if (!alone && another_closes(frame, wall, place, before, radius, tie)) break;
             Contact again{never, &wall, height(frame, wall, place, radius), 0};
             if (!(normal.dot(before) < 0)) break;
-            if (inelastic && !(wall.gravity < 0) && is_inelastic(state, 0, wall.body, -normal.dot(before), next.time)) break;
+            if (inelastic && !(wall.gravity < 0) && is_inelastic(state, 0, wall.body, -normal.dot(before), next.time))
+                break;
             const Vec3 change = velocity_change(before, normal, wall.law), after = before + change;
             again.w = normal.dot(after);
             if (again.w < 0 || is_rest(scale, after, again.w, -wall.gravity) ||

@@ -25,7 +25,7 @@ inline bool is_rest(double scale, const Vec3& velocity, double w, double gravity
 /// Is the next bounce one of those that are summed in closed form, not events of their own?
 inline bool is_low(const State& state, BodyId body, double w, double gravity, const ContactLaw& law)
 {
-    return law.restitution < 1 && gravity > 0 &&
+    return law.restitution < 1 && gravity > 0 && state.scene.rest.policy != RestPolicy::micro &&
            w * (w / gravity) < 2 * state.scene.rest.series_below * state.radius(body);
 }
 

@@ -25,14 +25,20 @@ double kinetic_energy(const Cluster& cluster, const std::vector<Vec3>& velocitie
     return sum;
 }
 
-/// e := 0 where the rest policy says so: for all contacts if every closing is slower than v_c, otherwise for those that
-/// closed a moment ago. Never where all e = 1. \returns whether something was made inelastic
-bool make_inelastic(const State& state, const Component& component, const EpochTime& now, Cluster& cluster)
+/// Restitution as the rest policy has it. Policy contact: e := 0: for all contacts if every closing is slower than v_c,
+/// otherwise for those that closed a moment ago. Never where all e = 1. \returns whether something was made inelastic
+bool apply_policy(const State& state, const Component& component, const EpochTime& now, Cluster& cluster)
 {
+    const std::vector<Vec3> velocities = velocities_of(cluster);
+    if (state.scene.rest.policy == RestPolicy::micro)
+        for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
+            const Touch& t = component.contacts[i];
+            const double closing = -closing_rate(cluster.contacts[i], velocities);
+            cluster.contacts[i].restitution = law_of_impact(state, t.a, t.b, closing).restitution;
+        }
     if (state.scene.rest.policy != RestPolicy::contact) return false;
     const auto loses = [](const ClusterContact& c) { return c.restitution < 1; };
     if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), loses)) return false;
-    const std::vector<Vec3> velocities = velocities_of(cluster);
     double fastest = 0;
     for (const ClusterContact& c : cluster.contacts) fastest = std::max(fastest, -closing_rate(c, velocities));
     bool some = false;
@@ -78,7 +84,7 @@ private:
         const auto closes = [&](const ClusterContact& c) { return closing_rate(c, before) < -slack; };
         if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), closes)) return;
 
-        const bool inelastic = make_inelastic(state_, component_, now_, cluster);
+        const bool inelastic = apply_policy(state_, component_, now_, cluster);
         const ClusterImpact impact = resolve_cluster(cluster, state_.scene.impact);
         if (inelastic)
             out_.taken.closing = kinetic_energy(cluster, before) - kinetic_energy(cluster, impact.velocities);
@@ -109,6 +115,13 @@ private:
 };
 
 }  // namespace
+
+ContactLaw law_of_impact(const State& state, BodyId a, BodyId b, double closing)
+{
+    ContactLaw law = state.law(a, b);
+    if (state.scene.rest.policy == RestPolicy::micro && closing < state.rest.closing_speed) law.restitution = 1;
+    return law;
+}
 
 bool is_inelastic(const State& state, BodyId a, BodyId b, double closing, const EpochTime& now)
 {

@@ -22,6 +22,10 @@ ComponentResolution resolve_component(const State& state, const Key& key, const 
 /// Contacts that the scene declares: those that close have their impact at once, the others take hold.
 std::vector<ComponentResolution> begin_components(const State& state);
 
+/// The law of a contact that closes at this speed, > 0: policy micro makes slow ones elastic, so that what would rest
+/// goes on in a train of bounces of a speed near v_c (after Hahn 1988).
+ContactLaw law_of_impact(const State& state, BodyId a, BodyId b, double closing);
+
 /// Must a contact with restitution below 1 be inelastic: because it closes slower than v_c, or closed less than tau_p
 /// ago? \param closing speed, > 0 [length/time]
 bool is_inelastic(const State& state, BodyId a, BodyId b, double closing, const EpochTime& now);

@@ -14,8 +14,8 @@ namespace carom {
 
 namespace {
 
-/// Is this more than an impact of a sphere and a plane alone, or less: one without a rebound? (Where gravity presses, low
-/// bounces are summed instead, or go on until rounding ends them.)
+/// Is this more than an impact of a sphere and a plane alone, or less: one without a rebound? (Where gravity presses,
+/// low bounces are summed instead, or go on until rounding ends them.)
 bool is_coupled(const State& state, const Key& key, const Flight& f, const Vec3& normal,
                 const Neighbourhood& neighbourhood)
 {
@@ -33,7 +33,6 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     Resolution out;
     const BodyId id = key.a;
     const int plane = state.plane_index(key.b);
-    const Sphere& sphere = state.sphere(id);
     Flown now = flown(state, id, key.time);
     Flight& f = now.flight;
     const bool certified = state.certified() && flies_freely(f);
@@ -41,7 +40,7 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     out.coupled = is_coupled(state, key, f, normal, neighbourhood);
     if (out.coupled) return out;
 
-    const ContactLaw& law = state.laws.plane(sphere.material, state.plane(plane).material);
+    const ContactLaw law = law_of_impact(state, id, key.b, -normal.dot(f.velocity));
     out.penetration = certified ? certified_penetration(state, now, id, plane)
                                 : std::max(0.0, -height_above(state, id, plane, f.place));
     const auto approaches = [&] {

@@ -65,7 +65,7 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
     Event impact{EventKind::impact, {}, 0, key.a, key.b, normal, Vec3::Zero()};
     if (approach() < 0) {
         const PairImpact after = resolve_pair({a.velocity, inverse_a}, {b.velocity, inverse_b}, normal,
-                                              state.laws.spheres(sa.material, sb.material));
+                                              law_of_impact(state, key.a, key.b, -normal.dot(a.velocity - b.velocity)));
         a.velocity = after.velocity_a;
         b.velocity = after.velocity_b;
         impact.impulse = after.impulse;

@@ -86,6 +86,7 @@ private:
             }
         const Resolution resolution = resolve(state_, key, neighbourhood_);
         if (resolution.coupled) return execute_component(key);
+        if (comes_to_rest(resolution.events)) return zeno(key);
         for (const Change& change : resolution.changes) commit(change, resolution.series);
         ledger_.out.max_penetration = std::max(ledger_.out.max_penetration, resolution.penetration);
         for (const Event& event : resolution.events) report(event);
@@ -100,12 +101,26 @@ private:
     Status execute_component(const Key& key)
     {
         const ComponentResolution resolution = resolve_component(state_, key, neighbourhood_);
+        if (comes_to_rest(resolution.events)) return zeno(key);
         execute(resolution);
         // Not to stand still: an event without an impact counts, too.
         if (key.kind != Scheduled::piece_end && resolution.events.empty()) return watch(key, {key.a, key.b});
         for (const Event& event : resolution.events)
             if (const Status status = after(key, event); status != Status::reached_end) return status;
         return limits();
+    }
+
+    /// Where policy none stops.
+    template <class Events>
+    bool comes_to_rest(const Events& events) const
+    {
+        return state_.scene.rest.policy == RestPolicy::none &&
+               std::any_of(events.begin(), events.end(), [](const Event& e) { return e.kind == EventKind::rest; });
+    }
+    Status zeno(const Key& key)
+    {
+        return stop(Status::zeno, "impacts of " + state_.scene.body_name(key.a) + " and " +
+                                      state_.scene.body_name(key.b) + " accumulate: a Zeno point");
     }
 
     /// What an event leads to: its impacts may accumulate.
@@ -119,10 +134,11 @@ private:
     {
         for (const BodyId body : bodies) {
             if (state_.is_plane(body) || state_.is_fixed(body) || !rate_.accumulates(state_, now_, body)) continue;
-            const std::string what =
-                "impacts of " + state_.scene.body_name(key.a) + " and " + state_.scene.body_name(key.b) + " accumulate";
-            if (state_.scene.rest.policy == RestPolicy::none) return stop(Status::zeno, what);
-            if (!state_.scene.guard.on) return stop(Status::unresolved, what + ", and the guard is off");
+            if (state_.scene.rest.policy == RestPolicy::none) return zeno(key);
+            if (!state_.scene.guard.on)
+                return stop(Status::unresolved, "impacts of " + state_.scene.body_name(key.a) + " and " +
+                                                    state_.scene.body_name(key.b) +
+                                                    " accumulate, and the guard is off");
             execute(guard(state_, body, now_, neighbourhood_));
             break;
         }

@@ -257,9 +257,16 @@ TEST_CASE("one wall after the other in a wedge: as many reflections as the angle
         CHECK(run.outcome.status == Status::reached_end);
         CHECK((run.outcome.final[0].velocity - expected.velocity).norm() <= 1e-9);
 
-        // The generalized reflection of a velocity that the walls alone could have given turns it round.
-        const Recorded reflected = record(with(scene, ImpactOperator::reflections));
-        CHECK((reflected.outcome.final[0].velocity + v).norm() <= 1e-9);
+        // Generalized reflections keep energy and leave by neither wall; where both close at first they turn v round.
+        const Vec3 after = record(with(scene, ImpactOperator::reflections)).outcome.final[0].velocity;
+        // (Narrower wedges take more rounds than the operator's bound, 120 here, and end as if inelastic.)
+        if (count < 120) CHECK(after.norm() == Approx(v.norm()).epsilon(1e-12));
+        bool both = true;
+        for (const Plane& plane : scene.planes) {
+            CHECK(plane.normal.dot(after) >= -1e-12);
+            both = both && plane.normal.dot(v) < 0;
+        }
+        if (both && degrees <= 90) CHECK((after + v).norm() <= 1e-12);
     }
 }
 
