@@ -257,7 +257,8 @@ TEST_CASE("one wall after the other in a wedge: as many reflections as the angle
         CHECK(run.outcome.status == Status::reached_end);
         CHECK((run.outcome.final[0].velocity - expected.velocity).norm() <= 1e-9);
 
-        // The generalized reflection of a velocity that the walls alone could have given turns it round.
+        // Where both walls are approached, the generalized reflection turns the velocity round.
+        if (scene.planes[0].normal.dot(v) >= 0) continue;
         const Recorded reflected = record(with(scene, ImpactOperator::reflections));
         CHECK((reflected.outcome.final[0].velocity + v).norm() <= 1e-9);
     }
