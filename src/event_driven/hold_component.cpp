@@ -301,6 +301,7 @@ private:
             change.flight.mode = Mode::numeric;
         }
         out_.taken.stabilising += motion.correction;
+        out_.depth = std::max(out_.depth, motion.depth);
         ++out_.numeric_steps;
     }
 

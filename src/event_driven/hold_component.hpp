@@ -21,6 +21,7 @@ struct HeldComponent {
     std::vector<Event> events;          ///< rests and releases
     EnergyTaken taken;
     std::int64_t numeric_steps = 0;
+    double depth = 0;  ///< of numeric pieces, see NumericMotion [length]
 };
 
 /// Contacts that are closed and neither open nor close are candidates; those whose forces keep them persist, the others

@@ -3,6 +3,7 @@
 #include "event_driven/height.hpp"
 #include "event_driven/piece.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carom {
@@ -35,6 +36,24 @@ NumericContact numeric_contact(const State& state, const NumericPart& part, cons
     return out;
 }
 
+/// Largest overlap of the parabolas after a time.
+double depth(const NumericCluster& cluster, const std::vector<Vec3>& accelerations, double time)
+{
+    const auto at = [&](int body) {
+        const auto k = static_cast<std::size_t>(body);
+        const NumericBody& b = cluster.bodies[k];
+        return Vec3(b.position + displacement(b.velocity, accelerations[k], time));
+    };
+    double deepest = 0;
+    for (const NumericContact& c : cluster.contacts) {
+        const Vec3 a = at(c.a);
+        const Vec3 r = a - (c.plane ? Vec3::Zero() : c.b == immovable ? c.centre : at(c.b));
+        const double gap = c.plane ? c.centre.dot(r) - c.reach : std::sqrt(r.squaredNorm()) - c.reach;
+        deepest = std::max(deepest, -gap);
+    }
+    return deepest;
+}
+
 }  // namespace
 
 NumericMotion numeric_motion(const State& state, const NumericPart& part, const EpochTime& now, double opening)
@@ -60,6 +79,7 @@ NumericMotion numeric_motion(const State& state, const NumericPart& part, const 
         out.accelerations.push_back(
             chord_acceleration(after.position - before.position, before.velocity, step->duration));
     }
+    out.depth = depth(*cluster, out.accelerations, 2 * step->duration / 3);
     return out;
 }
 

@@ -69,6 +69,7 @@ public:
         out_.taken.settling = held.taken.settling;
         out_.taken.stabilising = held.taken.stabilising;
         out_.numeric_steps = held.numeric_steps;
+        out_.penetration = std::max(out_.penetration, held.depth);
         return std::move(out_);
     }
 

@@ -13,7 +13,7 @@ struct ComponentResolution {
     EnergyTaken taken;
     std::int64_t numeric_steps = 0;
     bool clustered = false;  ///< impacts of several contacts were resolved together
-    double penetration = 0;  ///< of the contacts at this instant, >= 0 [length]
+    double penetration = 0;  ///< of contacts at this instant, and of the parabolas of numeric pieces, >= 0 [length]
 };
 
 /// Carry out the event `key` for all bodies that contacts connect with its own.

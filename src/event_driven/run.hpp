@@ -7,6 +7,7 @@
 #include "event_driven/impact_rate.hpp"
 #include "event_driven/ledger.hpp"
 #include "event_driven/motion.hpp"
+#include "event_driven/piece.hpp"
 #include "event_driven/resolve.hpp"
 #include "event_driven/resolve_component.hpp"
 
@@ -249,7 +250,14 @@ private:
     const std::vector<BodyState>& states_at(const EpochTime& time)
     {
         states_.resize(state_.flights.size());
-        for (BodyId i = 0; i < state_.count(); ++i) states_[static_cast<std::size_t>(i)] = state_of(state_, i, time);
+        Moment moment(state_, time);
+        for (BodyId i = 0; i < state_.count(); ++i) {
+            BodyState& state = states_[static_cast<std::size_t>(i)];
+            state.mode = state_.flight(i).mode;
+            const Flight f = moment.flight(i);
+            state.position = position_of(state_.frame, f.place);
+            state.velocity = f.velocity;
+        }
         return states_;
     }
 
