@@ -196,7 +196,8 @@ void Coverage::begin()
 void Coverage::sort_bodies()
 {
     std::vector<std::pair<std::array<float, 3>, BodyId>> places;
-    places.reserve(order_.size());
+    places.reserve(data_.run.spheres.size());
+    order_.reserve(data_.run.spheres.size());
     for (BodyId i = 0; i < data_.spheres(); ++i) {
         const Path p = flights_.path(i);
         const double size = 2 * cells_->cell_size(i);
