@@ -120,7 +120,7 @@ void ImpactAudit::check_speed(const Before& b, const Path& after)
     for (const Event& event : events_)
         if (event.a == b.body || event.b == b.body) along += event.normal.cwiseAbs();
     allowed += 16 * u * bodies_.speeds() * along;
-    if (bodies_.has_several_contacts() || several) allowed.array() += hidden * b.pushes / mass;
+    if (bodies_.knows_several_contacts() || several) allowed.array() += hidden * (b.pushes / mass + bodies_.speeds());
     if (several) allowed.array() += bodies_.settling();
     if (support >= 0) {
         const Vec3& n = data_.wall(support).normal;

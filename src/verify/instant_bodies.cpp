@@ -71,6 +71,7 @@ void InstantBodies::begin(std::span<const Event> events, std::span<const FlightR
     coupled_ = events.size() > 1;
     for (const Event& event : events) take(event);
     for (const FlightRecord& flight : flights) before(flight.body);
+    seen_ = seen_ || coupled_;
 }
 
 void InstantBodies::take(const Event& event)

@@ -65,6 +65,8 @@ public:
     }
     /// Is there more than one contact to be resolved, as far as can be told before?
     bool has_several_contacts() const { return coupled_; }
+    /// Has there been, so far? Then contacts may be closed at any instant that nobody speaks of.
+    bool knows_several_contacts() const { return seen_; }
     /// May bodies that several contacts hold change their flights without an event of their own?
     bool is_stirred() const { return stirred_; }
 
@@ -84,7 +86,7 @@ private:
     std::vector<Group> groups_;
     std::unordered_map<BodyId, std::size_t> places_;  ///< of many bodies
     double speeds_ = 0;
-    bool stirred_ = false, coupled_ = false;
+    bool stirred_ = false, coupled_ = false, seen_ = false;
 };
 
 /// The part of a dot product that doubles hold.
