@@ -114,6 +114,9 @@ struct Certificate {
     double guarded_depth = 0;              ///< likewise of windows of the guard [length]
     double largest_numeric_jump = 0;       ///< of position where such a piece ends [length]
     double largest_numeric_kick = 0;       ///< of velocity there, beside impulses [length/time]
+    /// Of velocity, of a body that several contacts hold from there on, beside its impulses: where some e < 1, openings
+    /// slower than v_c may be taken by persistence [length/time].
+    double largest_absorbed = 0;
     CertifiedSeconds body_seconds;
     std::uint64_t event_hash = 0;       ///< of the events read
     std::int64_t violated = 0;          ///< how many violations were found

@@ -49,6 +49,8 @@ std::string verify_table(const Certificate& c)
     if (c.rests_on_spheres + c.releases_of_spheres > 0)
         rows.push_back(
             {"sphere on sphere", fmt::format("{} rests, {} releases", c.rests_on_spheres, c.releases_of_spheres)});
+    if (c.largest_absorbed > 0)
+        rows.push_back({"absorbed", fmt::format("at most {:.2g} of speed where contacts persist", c.largest_absorbed)});
     if (s.numeric > 0)
         rows.push_back(
             {"numeric pieces", fmt::format("overlap at most {:.2g}, at their ends {:.2g} of place, {:.2g} of "

@@ -3,9 +3,10 @@
 #pragma once
 
 #include "reference/group.hpp"
+#include "reference/quartic.hpp"
+#include "reference/roots.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace carom::reference {
@@ -33,13 +34,8 @@ public:
     static Pair pair(const Group<Real>& g, const Link<Real>& l) { return pair(g.bodies[l.a], l.partner); }
     /// Whether this contact persists.
     bool held(BodyId i, BodyId j) const { return !held_.empty() && held_.count(pair(i, j)) > 0; }
-    void hold(const Pair& p, bool persists)
-    {
-        if (persists)
-            held_.insert(p);
-        else
-            held_.erase(p);
-    }
+    void hold(const Pair& p) { held_.insert(p); }
+    void release(const Pair& p) { held_.erase(p); }
     bool supported(BodyId i) const
     {
         return std::any_of(held_.begin(), held_.end(), [i](const Pair& p) { return p.first == i || p.second == i; });
@@ -77,6 +73,26 @@ public:
         std::vector<Vector<Real>> v;
         for (const BodyId i : g.bodies) v.push_back(balls_[i].flight.velocity(t));
         return v;
+    }
+
+    /// Time from now to the next contact of sphere i with body j, if there is one before `until`.
+    std::optional<Real> contact_in(BodyId i, BodyId j, const Real& now, const Real& until,
+                                   std::int64_t& root_solves) const
+    {
+        const Flight<Real>& f = balls_[i].flight;
+        const double pull = scene_.gravity.lpNorm<1>();
+        const Vector<Real> x = f.position(now), v = f.velocity(now);
+        if (j < count()) {
+            const Flight<Real>& other = balls_[j].flight;
+            const Vector<Real> u = other.velocity(now), r = x - other.position(now), a = f.a - other.a;
+            const Vector<Real> w = size(v - u) <= 1e-30 * (size(v) + size(u)) ? Vector<Real>() : v - u;
+            const Real sum = balls_[i].radius + balls_[j].radius;
+            if (size(a) <= 1e-30 * pull) return sphere_contact<Real>(r, w, sum, root_solves);
+            return accelerated_contact<Real>(r, w, a, sum, 2 * (until - now), root_solves);  // the end is in it
+        }
+        const Face<Real> p = face(j, balls_[i]);
+        return plane_contact(snapped(p.gap(x), balls_[i].radius), snapped(dot(p.n, v), size(v)),
+                             snapped(dot(p.n, f.a), Real(pull)), root_solves);
     }
 
 private:

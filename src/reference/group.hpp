@@ -5,6 +5,9 @@
 #include "reference/bodies.hpp"
 #include "reference/cone.hpp"
 
+#include <algorithm>
+#include <set>
+
 namespace carom::reference {
 
 inline constexpr std::size_t immovable = static_cast<std::size_t>(-1);
@@ -26,6 +29,15 @@ struct Group {
     std::vector<Link<Real>> links;
 
     using Vectors = std::vector<Vector<Real>>;
+
+    bool has(BodyId body) const { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); }
+    /// Its bodies and what they touch.
+    std::vector<BodyId> everybody() const
+    {
+        std::set<BodyId> all(bodies.begin(), bodies.end());
+        for (const Link<Real>& l : links) all.insert(l.partner);
+        return {all.begin(), all.end()};
+    }
 
     /// Of a seen from b.
     Vector<Real> relative(const Link<Real>& l, const Vectors& v) const

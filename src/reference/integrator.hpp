@@ -1,15 +1,14 @@
 /// \file
-/// Spheres among planes, event by event, all pairs, in multiprecision: slow, short, and sharing nothing with the
-/// engine.
+/// Spheres among planes, event by event, all pairs, in multiprecision: slow, short, sharing nothing with the engine.
 #pragma once
 
 #include "reference/contacts.hpp"
 #include "reference/impact.hpp"
 #include "reference/persistence.hpp"
-#include "reference/quartic.hpp"
 #include "reference/reason.hpp"
 #include "reference/reference.hpp"
-#include "reference/roots.hpp"
+
+#include <map>
 
 namespace carom::reference {
 
@@ -50,7 +49,7 @@ public:
             impact(g, now);
             for (BodyId i = 0; i < balls_.count() && !stopped(); ++i) {
                 const BodyId p = balls_[i].partner;
-                if (i == a || i == b || has(g, i) || (p != no_body && has(g, p))) predict(i, now, balls_.count());
+                if (i == a || i == b || g.has(i) || (p != no_body && g.has(p))) predict(i, now, balls_.count());
             }
         }
     }
@@ -73,39 +72,13 @@ public:
 
 private:
     using Vectors = std::vector<Vector<Real>>;
-    static bool has(const Group<Real>& g, BodyId i)
-    {
-        return std::find(g.bodies.begin(), g.bodies.end(), i) != g.bodies.end();
-    }
-
     void stop(const char* what, const Group<Real>& g, const Real& t)
     {
-        std::set<BodyId> who(g.bodies.begin(), g.bodies.end());
-        for (const Link<Real>& l : g.links) who.insert(l.partner);
-        reason_ = reference::reason(scene_, what, {who.begin(), who.end()}, static_cast<double>(t));
+        reason_ = reference::reason(scene_, what, g.everybody(), static_cast<double>(t));
         stopped_at_ = t;
     }
 
-    /// Time from now to the next contact of sphere i with body j, if there is one.
-    std::optional<Real> contact_in(BodyId i, BodyId j, const Real& now)
-    {
-        const Flight<Real>& f = balls_[i].flight;
-        const Vector<Real> x = f.position(now), v = f.velocity(now);
-        if (j < balls_.count()) {
-            const Flight<Real>& other = balls_[j].flight;
-            const Vector<Real> u = other.velocity(now), r = x - other.position(now), a = f.a - other.a;
-            const Vector<Real> w = size(v - u) <= 1e-30 * (size(v) + size(u)) ? Vector<Real>() : v - u;
-            const Real sum = balls_[i].radius + balls_[j].radius;
-            if (size(a) <= 1e-30 * size(gravity_)) return sphere_contact<Real>(r, w, sum, root_solves);
-            return accelerated_contact<Real>(r, w, a, sum, 2 * (until_ - now), root_solves);  // the end is in it
-        }
-        const Face<Real> p = balls_.face(j, balls_[i]);
-        return plane_contact(snapped(p.gap(x), balls_[i].radius), snapped(dot(p.n, v), size(v)),
-                             snapped(dot(p.n, f.a), size(gravity_)), root_solves);
-    }
-
-    /// The earliest contact of sphere i with a plane or one of the first spheres. Planes first: they shorten the
-    /// horizon.
+    /// The earliest contact of sphere i with a plane or one of the first spheres. Planes first: they are near.
     void predict(BodyId i, const Real& now, BodyId spheres)
     {
         Ball<Real>& ball = balls_[i];
@@ -117,7 +90,7 @@ private:
             const BodyId j = k < balls_.bodies() ? k : k - balls_.bodies();
             if (j == i || (ball.fixed && balls_.fixed(j)) || balls_.held(i, j)) continue;
             if (j < balls_.count() && balls_.approach(i, j, now_rounded).misses(horizon)) continue;
-            const std::optional<Real> dt = contact_in(i, j, now);
+            const std::optional<Real> dt = balls_.contact_in(i, j, now, until_, root_solves);
             if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) continue;
             ball.next = now + *dt;
             ball.partner = j;
@@ -139,10 +112,13 @@ private:
         else
             x = impact_together(g, v);
         if (x.empty()) return stop("the impact of several contacts was not resolved", g, t);
-        const Ball<Real>& ball = balls_[g.bodies[0]];
-        if (!low || ball.series < 0 || series[ball.series].plane != g.links[0].partner) {
+        if (const auto& ball = balls_[g.bodies[0]];
+            !low || ball.series < 0 || series[ball.series].plane != g.links[0].partner) {
             list(g, x, t);
-            for (const BodyId i : g.bodies) break_series(balls_[i], t);
+            for (const BodyId i : g.bodies) {
+                if (balls_[i].series >= 0) series[balls_[i].series].end = static_cast<double>(t);
+                balls_[i].series = -1;
+            }
         }
         if (low) return bounced(g, v, t);
         persist(g, v, t);
@@ -215,12 +191,6 @@ private:
         }
     }
 
-    void break_series(Ball<Real>& ball, const Real& t)
-    {
-        if (ball.series >= 0) series[ball.series].end = static_cast<double>(t);
-        ball.series = -1;
-    }
-
     /// A bounce of a series, perhaps its first, or so low that it is the last.
     void bounced(const Group<Real>& g, Vectors v, const Real& t)
     {
@@ -247,7 +217,7 @@ private:
         Group<Real> kept{g.bodies, g.lightness, {}};
         for (std::size_t i = 0; i < c.size(); ++i) {
             const Link<Real>& l = g.links[i];
-            balls_.hold(balls_.pair(g, l), false);
+            balls_.release(balls_.pair(g, l));
             if (c[i] <= balls_.slow(v[l.a], l.b == immovable ? Vector<Real>() : v[l.b])) kept.links.push_back(l);
         }
         if (!kept.links.empty() && scene_.rest.policy != RestPolicy::contact)
@@ -256,7 +226,7 @@ private:
         const Persistence<Real> next = persistence(kept, v, gravity_);
         if (next.turns) return stop("contacts carry force while their normals turn, which has no closed form", g, t);
         for (std::size_t i = 0; i < kept.links.size(); ++i)
-            balls_.hold(balls_.pair(g, kept.links[i]), next.persists[i]);
+            if (next.persists[i]) balls_.hold(balls_.pair(g, kept.links[i]));
         for (std::size_t k = 0; k < v.size(); ++k) {
             Ball<Real>& ball = balls_[g.bodies[k]];
             ball.supported = balls_.supported(g.bodies[k]);

@@ -29,8 +29,8 @@ Persistence<Real> persistence(const Group<Real>& g, std::vector<Vector<Real>> v,
     const Numbers<Real> force = complement(G, q, Real(1e-25 * pull)), y = residual(G, force, q);
     g.push(a, force);
 
-    Persistence<Real> out{std::move(v), std::move(a), std::vector<bool>(q.size(), false)};
-    std::vector<bool> supported(out.v.size(), false);
+    Persistence<Real> out{std::move(v), std::move(a), std::vector<bool>(q.size())};
+    std::vector<bool> supported(out.v.size());
     for (std::size_t i = 0; i < q.size(); ++i) {
         const Link<Real>& l = g.links[i];
         if (y[i] > noise * pull) continue;

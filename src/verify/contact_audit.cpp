@@ -33,8 +33,17 @@ void ContactAudit::check(InstantBodies& bodies, std::span<const Event> events)
     }
     for (const Before& b : bodies.all()) add_up(b);
     const Event* alone = events.size() == 1 && events[0].kind == EventKind::impact ? &events[0] : nullptr;
-    for (const Group& group : bodies.groups())
+    Group all;
+    for (const Group& group : bodies.groups()) {
         if (group.impulses > 0 && !group.loose) check_group(group, alone);
+        all.loose = all.loose || group.loose;
+        all.supported = all.supported || group.supported;
+        all.change += group.change;
+        all.energy += group.energy;
+    }
+    // What persistence takes beside the impulses it takes from the energy of all.
+    if (all.supported && !all.loose && !(all.change <= solved * all.energy))
+        fail("an instant gains energy, " + figure(all.change / all.energy), events.empty() ? no_body : events[0].a);
     for (const Event& event : events)
         if (event.kind == EventKind::impact) remember(event);
 }
@@ -142,7 +151,7 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
         used = 0;
     }
     const double scale = mass * speeds;
-    const double allowed = 64 * u * shake * scale + (group.coupled ? solved * scale + mass * bodies_->settling() : 0);
+    const double allowed = 64 * u * shake * scale + (group.coupled ? solved * scale : 0);
     if (!(found <= allowed))
         fail("an impulse on sphere " + std::to_string(event.a) + " is not that of its contact, by " +
                  figure(found / scale),

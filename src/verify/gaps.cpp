@@ -11,6 +11,9 @@ constexpr double promised = 16 * 2 * u;
 /// Deeper than so many radii what no closed form gives is no error of a step any more.
 constexpr double deepest_numeric = 1e-2, deepest_guarded = 0.5;
 
+/// Gaps::past_
+constexpr std::uint8_t left_by_contacts = 1, left_by_numeric = 2;
+
 std::uint64_t pair_key(BodyId a, BodyId b)
 {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
@@ -30,6 +33,7 @@ Gaps::Gaps(const RunData& data, const Flights& flights, Findings& findings)
 {
     grades_.assign(data.run.spheres.size(), 0);
     flown_before_.assign(data.run.spheres.size(), 0);
+    past_.assign(data.run.spheres.size(), 0);
 }
 
 void Gaps::worsen(BodyId body, Grade grade)
@@ -64,21 +68,31 @@ void Gaps::record(const GapFound& found, const EpochTime& from, const EpochTime&
     if (b < data_.spheres()) worsen(b, found.grade);
 }
 
-template <class Again>
-void Gaps::judge(GapFound& found, const Path& a, const Path& b, double radius, const Again& again)
+void Gaps::judge_numeric(GapFound& found, bool guarded, double radius)
+{
+    if (found.gap < -(guarded ? deepest_guarded : deepest_numeric) * radius) return;
+    found.grade = Grade::measured;
+    Certificate& out = findings_.out;
+    Findings::keep_largest(guarded ? out.guarded_depth : out.numeric_depth, -found.gap * data_.units.length);
+}
+
+template <class Again, class Start>
+void Gaps::judge(GapFound& found, BodyId a, BodyId b, double radius, const Again& again, const Start& gap_at_start)
 {
     if (found.grade <= Grade::bounded || !found.measured) return;
-    if (a.mode == Mode::numeric || b.mode == Mode::numeric) {
-        const bool guarded = a.guarded || b.guarded;
-        if (found.gap < -(guarded ? deepest_guarded : deepest_numeric) * radius) return;
-        found.grade = Grade::measured;
-        Certificate& out = findings_.out;
-        Findings::keep_largest(guarded ? out.guarded_depth : out.numeric_depth, -found.gap * data_.units.length);
-        return;
-    }
-    if (!is_held_by_several(a) && !is_held_by_several(b)) return;
+    const Path pa = flights_.path(a), pb = flights_.path(b);
+    if (pa.mode == Mode::numeric || pb.mode == Mode::numeric)
+        return judge_numeric(found, pa.guarded || pb.guarded, radius);
+    const std::uint8_t past = std::max(past_[static_cast<std::size_t>(a)], past_[static_cast<std::size_t>(b)]);
+    const bool held = is_held_by_several(pa) || is_held_by_several(pb);
+    if (!held && past == 0) return;
     const GapFound loose = again(contact_slack * radius);
-    if (loose.grade <= Grade::bounded) found.grade = Grade::in_contact;
+    // What is released is as deep as it was held, and goes no deeper.
+    const bool deepens = found.gap < gap_at_start() - 64 * u * radius;
+    if (loose.grade <= Grade::bounded && (held || !deepens))
+        found.grade = Grade::in_contact;
+    else if (past == left_by_numeric && (held || !deepens))
+        judge_numeric(found, false, radius);
 }
 
 void Gaps::pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to, bool is_near)
@@ -103,8 +117,14 @@ void Gaps::pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to, 
         found.measured = false;
         if (found.grade == Grade::violated) found.grade = Grade::not_certified;
     }
-    judge(found, ball_a.path, ball_b.path, std::min(ball_a.radius, ball_b.radius),
-          [&](double bound) { return examine(segment, bound); });
+    const auto start = [&] {
+        const Relative<DoubleDouble> r =
+            relative<DoubleDouble>(ball_a.path, ball_a.acceleration, ball_b.path, ball_b.acceleration, from);
+        return (sqrt(dot(r.r, r.r)) - DoubleDouble(ball_a.radius) - DoubleDouble(ball_b.radius)).high;
+    };
+    judge(
+        found, a, b, std::min(ball_a.radius, ball_b.radius), [&](double bound) { return examine(segment, bound); },
+        start);
     record(found, from, to, std::min(a, b), std::max(a, b));
 }
 
@@ -126,7 +146,9 @@ void Gaps::plane(BodyId body, int p, const EpochTime& to)
         found.measured = false;
         if (found.grade == Grade::violated) found.grade = Grade::not_certified;
     }
-    judge(found, ball.path, ball.path, ball.radius, [&](double bound) { return examine(segment, bound); });
+    judge(
+        found, body, body, ball.radius, [&](double bound) { return examine(segment, bound); },
+        [&] { return height(segment, segment.from).high; });
     record(found, ball.path.start, to, body, partner);
 }
 
@@ -157,6 +179,11 @@ void Gaps::count(BodyId body, const EpochTime& now)
     const double epochs = between<double>(path.start, now), seconds = epochs * data_.units.time;
     flown_before_[static_cast<std::size_t>(body)] =
         static_cast<float>(epochs * (path.velocity.norm() + epochs * data_.acceleration(path).norm()) * 1.0001);
+    std::uint8_t& past = past_[static_cast<std::size_t>(body)];
+    if (path.mode == Mode::numeric)
+        past = left_by_numeric;
+    else if (past == 0 && is_held_by_several(path))
+        past = left_by_contacts;
     std::uint8_t& kept = grades_[static_cast<std::size_t>(body)];
     const auto grade = static_cast<Grade>(kept);
     kept = 0;

@@ -36,8 +36,10 @@ private:
     double flown(BodyId body, const Ball& ball, const EpochTime& to) const;
     void support(BodyId body, const Path& path, int p, const EpochTime& to);
     /// What a gap below the promise means for those two. \param again examines with another bound
-    template <class Again>
-    void judge(GapFound& found, const Path& a, const Path& b, double radius, const Again& again);
+    /// \param gap_at_start how far they were apart then [cells]
+    template <class Again, class Start>
+    void judge(GapFound& found, BodyId a, BodyId b, double radius, const Again& again, const Start& gap_at_start);
+    void judge_numeric(GapFound& found, bool guarded, double radius);
     void record(const GapFound& found, const EpochTime& from, const EpochTime& to, BodyId a, BodyId b);
     void worsen(BodyId body, Grade grade);
 
@@ -45,6 +47,7 @@ private:
     const Flights& flights_;
     Findings& findings_;
     std::vector<std::uint8_t> grades_;  ///< of the current flights
+    std::vector<std::uint8_t> past_;    ///< what persistent contacts and numeric pieces may have left behind
     std::vector<float> flown_before_;   ///< in the flight before: what is missing at an impact is missing after it, too
     double smallest_ = std::numeric_limits<double>::infinity();
     /// Pairs that overlapped at the start, and where they were.

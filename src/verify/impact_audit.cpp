@@ -120,17 +120,21 @@ void ImpactAudit::check_speed(const Before& b, const Path& after)
     for (const Event& event : events_)
         if (event.a == b.body || event.b == b.body) along += event.normal.cwiseAbs();
     allowed += 16 * u * bodies_.speeds() * along;
-    if (b.impulses > 1 || several) allowed.array() += hidden * b.pushes / mass;
+    if (bodies_.knows_several_contacts() || several) allowed.array() += hidden * (b.pushes / mass + bodies_.speeds());
     if (several) allowed.array() += bodies_.settling();
     if (support >= 0) {
         const Vec3& n = data_.wall(support).normal;
-        allowed += (slow(data_.gravity.norm(), radius) + 16 * u * bodies_.speeds()) * n.cwiseAbs();
+        const double absorbed = data_.is_lossy && bodies_.has_several_contacts() ? data_.closing_speed : 0;
+        allowed += (slow(data_.gravity.norm(), radius) + absorbed + 16 * u * bodies_.speeds()) * n.cwiseAbs();
     }
     for (int k = 0; k < 3; ++k)
         if (!(std::abs(unexplained[k]) <= allowed[k]))
             return fail("the speed of sphere " + std::to_string(b.body) + " changes by " +
                             figure(unexplained[k] * data_.units.length / data_.units.time) + " beside its impulses",
                         b.body);
+    if (several)
+        Findings::keep_largest(findings_.out.largest_absorbed,
+                               unexplained.norm() * data_.units.length / data_.units.time);
     if (support >= 0 || several || b.series) return;  // residues of persistent contacts are not roundings
     if (bodies_.speeds() > 0)
         Findings::keep_largest(findings_.out.largest_impulse_error,

@@ -51,6 +51,7 @@ Before& InstantBodies::before(BodyId body)
         }
     }
     stirred_ = stirred_ || b.path.mode == Mode::numeric;
+    coupled_ = coupled_ || is_coupled(b.path);
     speeds_ += b.speed_size.norm();
     bodies_.push_back(b);
     if (bodies_.size() == few + 1)
@@ -67,8 +68,10 @@ void InstantBodies::begin(std::span<const Event> events, std::span<const FlightR
     groups_.clear();
     speeds_ = 0;
     stirred_ = !events.empty() || now == EpochTime{};  // contacts of the start persist without a word
+    coupled_ = events.size() > 1;
     for (const Event& event : events) take(event);
     for (const FlightRecord& flight : flights) before(flight.body);
+    seen_ = seen_ || coupled_;
 }
 
 void InstantBodies::take(const Event& event)

@@ -56,11 +56,17 @@ public:
     const EpochTime& now() const { return now_; }
     /// All speeds of the instant's bodies added [cells/epoch].
     double speeds() const { return speeds_; }
-    /// What a held body may lose of its speed without an impulse [cells/epoch].
+    /// What a body that several contacts hold may change its speed by without an impulse: one opening each, of 1e-6
+    /// v_c, or where some e < 1 of v_c [cells/epoch].
     double settling() const
     {
-        return 4 * (1 + static_cast<double>(bodies_.size())) * still * data_.closing_speed + 4 * hidden * speeds_;
+        const double each = data_.is_lossy ? 1 + still : 4 * still;
+        return (1 + static_cast<double>(bodies_.size())) * each * data_.closing_speed + 4 * hidden * speeds_;
     }
+    /// Is there more than one contact to be resolved, as far as can be told before?
+    bool has_several_contacts() const { return coupled_; }
+    /// Has there been, so far? Then contacts may be closed at any instant that nobody speaks of.
+    bool knows_several_contacts() const { return seen_; }
     /// May bodies that several contacts hold change their flights without an event of their own?
     bool is_stirred() const { return stirred_; }
 
@@ -80,7 +86,7 @@ private:
     std::vector<Group> groups_;
     std::unordered_map<BodyId, std::size_t> places_;  ///< of many bodies
     double speeds_ = 0;
-    bool stirred_ = false;
+    bool stirred_ = false, coupled_ = false, seen_ = false;
 };
 
 /// The part of a dot product that doubles hold.

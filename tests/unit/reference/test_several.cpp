@@ -121,6 +121,16 @@ TEST_CASE("A ball in a corner of two or three orthogonal planes turns back", "[r
     CHECK(run.impacts.size() == 3);
 }
 
+TEST_CASE("In a corner tangential factors share: they stop what slides along, and give no energy", "[reference]")
+{
+    Scene scene;
+    scene.materials[0].tangential = 0.5;
+    scene.spheres = {ball("ball", {2, 2, 0}, {-1, -1, 4}, 1, 0.5)};
+    scene.planes = {plane("left", {1, 0, 0}, 0), plane("below", {0, 1, 0}, 0)};
+    // After the rebound (1, 1, 4): each plane takes half of a half of what is along it.
+    CHECK(off(exactly(scene, 3).flight(0).velocity(3), {Real(0.75), Real(0.75), 2}) < tiny);
+}
+
 TEST_CASE("A wedge too narrow to leave stops what flies into it", "[reference]")
 {
     // Two planes face each other: jammed. Along them the velocity stays.

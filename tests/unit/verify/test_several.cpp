@@ -288,7 +288,12 @@ TEST_CASE("windows of the guard are straight lines, and counted", "[verify]")
     CHECK_REFUSED(run(0.625, nothing), "overlap");
     CHECK_REFUSED(run(0, [](MemorySource& s) { s.events[0].b = 1; }), "bodies that are not there");
     CHECK_REFUSED(run(0, [](MemorySource& s) { s.events[0].kind = EventKind::impact; }), "bodies that are not there");
-    CHECK_REFUSED(run(0, [](MemorySource& s) { s.flights[2].acceleration = 1; }), "");
+    CHECK_REFUSED(run(0,
+                      [](MemorySource& s) {
+                          s.flights[2].acceleration = own_acceleration;
+                          s.flights[2].own[1] = 1e-9;
+                      }),
+                  "no straight line");
     CHECK_REFUSED(run(0, [](MemorySource& s) { s.flights[2].mode = Mode::flying; }), "");
 }
 
