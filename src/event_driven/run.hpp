@@ -92,8 +92,8 @@ private:
         ledger_.out.max_penetration = std::max(ledger_.out.max_penetration, resolution.penetration);
         for (const Event& event : resolution.events) report(event);
         for (const Change& change : resolution.changes) ledger_.show_flight(state_, change.body);
-        for (const Change& change : resolution.changes)
-            schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
+        for (const Change& changed : resolution.changes)
+            schedule_.flight_changed(state_, changed.body, now_, ledger_.out.counts);
         if (!resolution.events.empty()) return after(key, resolution.events.front());
         return limits();
     }

@@ -77,20 +77,24 @@ TEST_CASE("check says which checks hold, and exits with 4 if one fails", "[cli]"
 
 TEST_CASE("check exits with 1 where a run ends unresolved and nothing fails, with 4 where something does", "[cli]")
 {
-    const std::vector<std::string> jam{"--set",
-                                       R"(/spheres=[{"radius": 1, "position": [-2, 0, 5], "velocity": [1, 0, 0]},
-        {"radius": 1, "position": [1, 0, 5]}, {"radius": 1, "position": [4, 0, 5], "velocity": [-1, 0, 0]}])"};
+    // A light ball squeezed between the floor and a heavy one: impacts accumulate, and the guard is off.
+    const std::vector<std::string> jam{
+        "--set", R"(/materials={"lossy": {"restitution": 0.99}})",
+        "--set", "/guard=off",
+        "--set", R"(/rest={"closing_speed": 0, "window": 0, "numeric_step": 0.01})",
+        "--set", R"(/spheres=[{"radius": 0.1, "mass": 1e-6, "position": [0, 0, 0.1005], "material": "lossy"},
+        {"radius": 0.1, "mass": 1e6, "position": [0, 0, 1.301], "velocity": [0, 0, -1], "material": "lossy"}])"};
     const File file(ball_scene);
     std::vector<std::string> args{"check", file.path(), "--set", "/checks=[{\"type\": \"no_overlap\"}]"};
     args.insert(args.end(), jam.begin(), jam.end());
     const Said open = carom_tool(args);
     CHECK(open.code == exit_failed);
     CHECK_THAT(open.out, Contains("open: no_overlap: the run ended unresolved at t = 1"));
-    CHECK_THAT(open.err, Contains("several contacts"));
+    CHECK_THAT(open.err, Contains("accumulate"));
+    args[3] = R"(/checks=[{"type": "no_overlap"}, {"type": "event_count", "kind": "rest", "count": 0, "abs": 0}])";
+    CHECK(carom_tool(args).code == exit_failed);  // nothing has come to rest before the jam
     args[3] = R"(/checks=[{"type": "no_overlap"}, {"type": "event_count", "count": 0, "abs": 0}])";
-    CHECK(carom_tool(args).code == exit_failed);       // no impact was counted before the jam
-    args.insert(args.begin() + 1, {"bouncing_ball"});  // where the three fall on the floor before that: counted
-    CHECK(carom_tool(args).code == exit_check_failed);
+    CHECK(carom_tool(args).code == exit_check_failed);  // but there were impacts
 }
 
 TEST_CASE("--set changes scenes of run and compare, and its errors name the pointer", "[cli]")
@@ -131,13 +135,13 @@ TEST_CASE("a scene's defaults may ask for all final states", "[cli]")
         json::parse(carom_tool({"run", file.path(), "--json", "--set", "/run/final=false"}).out).contains("final"));
 }
 
-TEST_CASE("every scene of the catalogue passes its checks, but for those that need coupled impacts", "[cli]")
+TEST_CASE("every scene of the catalogue passes its checks", "[cli]")
 {
-    const std::set<std::string> coupled{"666"};
+    const std::set<std::string> long_ones{"settle_30", "settle_1000"};  // see tests/bench
     for (const carom::CatalogueEntry& entry : carom::list_scenes(scene_folder())) {
         CAPTURE(entry.name);
-        const Said said = carom_tool({"check", entry.path.string(), "--json"});
-        CHECK(said.code == (coupled.contains(entry.name) ? exit_failed : exit_ok));
         CHECK(fs::exists(fs::path(entry.path).replace_extension(".svg")));
+        if (!long_ones.contains(entry.name))
+            CHECK(carom_tool({"check", entry.path.string(), "--json"}).code == exit_ok);
     }
 }
