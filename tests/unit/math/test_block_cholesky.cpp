@@ -26,8 +26,7 @@ Sparse random_sparse(Random& random, int blocks)
             if (j == i) continue;
             const Vec3 first = random.in_cube(3), second = j < 0 ? Vec3(Vec3::Zero()) : random.in_cube(3);
             if (j >= 0) out.edges.emplace_back(i, j);
-            out.columns.push_back(
-                {i, j, {first[0], first[1], first[2]}, {second[0], second[1], second[2]}});
+            out.columns.push_back({i, j, {first[0], first[1], first[2]}, {second[0], second[1], second[2]}});
         }
     return out;
 }
