@@ -168,7 +168,8 @@ inline Cluster random_cluster(carom::Random& random, const RandomClusters& optio
         // Powers of 2 and a mantissa, as libm differs between machines.
         const int exponent =
             static_cast<int>(random.below(static_cast<std::size_t>(std::ilogb(options.mass_ratio)) + 1));
-        const Vec3 velocity = random.below(3) == 0 ? Vec3(Vec3::Zero()) : Vec3(random.uniform(0.1, 2) * direction());
+        const double speed = random.below(3) == 0 ? 0 : random.uniform(0.1, 2);
+        const Vec3 velocity = speed * direction();
         out.bodies.push_back({velocity, std::ldexp(random.uniform(0.5, 1), exponent)});
     }
     const auto add = [&](std::size_t a, int b, const Vec3& n) {
