@@ -18,12 +18,15 @@ constexpr double first_epsilon = 1e-2;
 constexpr double last_epsilon = 1e-6;  // below, rounding of slacks spoils multipliers
 constexpr double epsilon_factor = 0.2;
 /// A round that leaves more than this part of the errors wants a smaller epsilon.
-constexpr double good_round = 1.0 / 30;
+constexpr double good_round = 0.2;
+
+/// A round of more Newton steps tells that epsilon is small enough for the time being.
+constexpr int easy = 8;
 
 constexpr int first_sweeps = 30;
-constexpr int most_rounds = 60;
+constexpr int most_rounds = 200;
 constexpr int most_inner_steps = 60;
-constexpr int most_steps = 600;
+constexpr int most_steps = 1000;
 constexpr double tolerances = 100;
 constexpr double gradient_rounding = 1e-14;
 /// A multiplication of an update takes as long as so many of a factorisation (memory).
@@ -51,13 +54,15 @@ public:
         for (int round = 0; round < most_rounds && out_.newton_steps < most_steps; ++round) {
             // Once good enough, further rounds cost a solve each; go on as long as they pay.
             if (is_solved(1) || (is_solved(tolerances) && !improves)) break;
+            const int before = out_.newton_steps;
             const bool converged = minimise();
+            const bool was_easy = converged && out_.newton_steps - before <= easy;
             place_point();
             const double left = largest_error();
-            if (converged && left > good_round * error && epsilon_ > last_epsilon) {
-                epsilon_ = std::max(last_epsilon, epsilon_factor * epsilon_);
-                factored_.clear();
-            }
+            if (was_easy && left > good_round * error && epsilon_ > last_epsilon)
+                take_epsilon(std::max(last_epsilon, epsilon_factor * epsilon_));
+            else if (!converged && epsilon_ < first_epsilon)
+                take_epsilon(epsilon_ / epsilon_factor);
             improves = left < error / 2;
             error = left;
         }
@@ -75,7 +80,14 @@ private:
         return out;
     }
 
-    /// The point that the multipliers give, and the slacks that it really has.
+    void take_epsilon(double epsilon)
+    {
+        epsilon_ = epsilon;
+        factored_.clear();
+    }
+
+    /// The point that the multipliers give, and the slacks that it really has. Half a tolerance is granted to all, so
+    /// that what only touches does not come and go with rounding.
     void place_point()
     {
         Projection& result = out_.projection;
@@ -87,7 +99,7 @@ private:
             push(problem_.half_spaces[i], problem_.w, result.multipliers[i], result.point);
         }
         for (std::size_t i = 0; i < normals_.size(); ++i)
-            slack_[i] = slack(problem_.half_spaces[i], result.point) / normals_[i].length;
+            slack_[i] = (slack(problem_.half_spaces[i], result.point) + problem_.tolerance / 2) / normals_[i].length;
     }
 
     double error(std::size_t i) const { return multiplier_[i] > 0 ? std::abs(slack_[i]) : -slack_[i]; }

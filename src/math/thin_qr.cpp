@@ -72,10 +72,12 @@ void ThinQr::remove(int column)
         std::vector<double>& pivot = triangle_[row];
         const double r = std::sqrt(pivot[row] * pivot[row] + pivot[row + 1] * pivot[row + 1]);
         const double c = pivot[row] / r, s = pivot[row + 1] / r;
+        // Sums only: gcc 12 with FMA instructions fuses a pair of a sum and a difference in spite of -ffp-contract=off.
+        const double minus_s = -s;
         for (std::size_t k = row; k < triangle_.size(); ++k) {
             const double upper = triangle_[k][row], lower = triangle_[k][row + 1];
             triangle_[k][row] = c * upper + s * lower;
-            triangle_[k][row + 1] = c * lower - s * upper;
+            triangle_[k][row + 1] = c * lower + minus_s * upper;
         }
         pivot.pop_back();
         double* first = q(j);
@@ -83,7 +85,7 @@ void ThinQr::remove(int column)
         for (int i = 0; i < rows_; ++i) {
             const double upper = first[i], lower = second[i];
             first[i] = c * upper + s * lower;
-            second[i] = c * lower - s * upper;
+            second[i] = c * lower + minus_s * upper;
         }
     }
     basis_.resize(basis_.size() - static_cast<std::size_t>(rows_));

@@ -108,6 +108,41 @@ inline Cluster pinched()
     return out;
 }
 
+/// Equal spheres in a box, side x side in a layer, each on three of the four below it, normals a little off the
+/// lattice's: some three contacts a sphere, like a settled pile.
+inline Cluster pile(int side, int layers)
+{
+    constexpr double disorder = 0.1;
+    carom::Random random(3);
+    const double layer_height = std::sqrt(0.5);
+    Cluster out;
+    std::vector<Vec3> places;
+    for (int z = 0; z < layers; ++z)
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                places.emplace_back(x + (z % 2) * 0.5, y + (z % 2) * 0.5, z * layer_height);
+                out.bodies.push_back({Vec3::Zero(), 1});
+            }
+    const auto touches = [&out](int a, int b, const Vec3& n) { out.contacts.push_back({a, b, n.normalized(), 1, 1}); };
+    for (int i = 0; i < static_cast<int>(places.size()); ++i) {
+        const int x = i % side, y = i / side % side, z = i / side / side;
+        if (x == 0) touches(i, immovable, Vec3::UnitX());
+        if (x == side - 1) touches(i, immovable, -Vec3::UnitX());
+        if (y == 0) touches(i, immovable, Vec3::UnitY());
+        if (y == side - 1) touches(i, immovable, -Vec3::UnitY());
+        if (z == 0) touches(i, immovable, Vec3::UnitZ());
+        const auto missing = static_cast<int>(random.below(4));
+        for (int k = 0; k < 4 && z > 0; ++k) {
+            const int u = x + k % 2 - 1 + z % 2, v = y + k / 2 - 1 + z % 2;
+            if (k == missing || u < 0 || v < 0 || u >= side || v >= side) continue;
+            const int below = ((z - 1) * side + v) * side + u;
+            const Vec3 between = places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(below)];
+            touches(i, below, between.normalized() + disorder * random.direction());
+        }
+    }
+    return out;
+}
+
 struct RandomClusters {
     int most_contacts = 40;
     double mass_ratio = 1e6;
@@ -133,7 +168,8 @@ inline Cluster random_cluster(carom::Random& random, const RandomClusters& optio
         // Powers of 2 and a mantissa, as libm differs between machines.
         const int exponent =
             static_cast<int>(random.below(static_cast<std::size_t>(std::ilogb(options.mass_ratio)) + 1));
-        const Vec3 velocity = random.below(3) == 0 ? Vec3(Vec3::Zero()) : Vec3(random.uniform(0.1, 2) * direction());
+        const double speed = random.below(3) == 0 ? 0 : random.uniform(0.1, 2);
+        const Vec3 velocity = speed * direction();
         out.bodies.push_back({velocity, std::ldexp(random.uniform(0.5, 1), exponent)});
     }
     const auto add = [&](std::size_t a, int b, const Vec3& n) {

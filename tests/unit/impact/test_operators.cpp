@@ -199,6 +199,11 @@ TEST_CASE("The tangential factor is the pair law's with one contact, and takes e
     one.contacts.push_back({0, immovable, Vec3(1, 0, 0), 1, 0.25});
     CHECK((resolve(one, ImpactOperator::reflections).velocities[0] - Vec3(0.25, 0.5, 1.5)).norm() < rounding);
 
+    // Along a groove without any slip the motion stops; two contacts do not throw it back.
+    Cluster groove = wedge(std::sqrt(0.5), std::sqrt(0.5), Vec3(0, -1, 1));
+    for (ClusterContact& contact : groove.contacts) contact.tangential = 0;
+    CHECK((resolve(groove, ImpactOperator::reflections).velocities[0] - Vec3(0, 0.5, 0)).norm() < rounding);
+
     carom::Random random(41);
     for (int trial = 0; trial < 500; ++trial) {
         RandomClusters options;

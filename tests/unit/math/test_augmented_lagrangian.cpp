@@ -1,0 +1,92 @@
+#include "math/augmented_lagrangian.hpp"
+#include "math/dual_active_set.hpp"
+#include "math/gauss_seidel.hpp"
+
+#include "support/clusters.hpp"
+
+#include "impact/cluster_problem.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
+{
+    double out = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) out = std::max(out, (a[k] - b[k]).cwiseAbs().maxCoeff());
+    return out;
+}
+
+ProjectionProblem pile_problem(int side, int layers, bool falling)
+{
+    Cluster cluster = pile(side, layers);
+    carom::Random random(9);
+    for (ClusterBody& body : cluster.bodies) body.velocity = falling ? Vec3(0, 0, -1) : random.direction();
+    return projection_problem(cluster);
+}
+
+}  // namespace
+
+TEST_CASE("In piles the sparse solver finds the point that the dense one finds")
+{
+    for (const int side : {2, 3, 4}) {
+        for (const bool falling : {true, false}) {
+            ProjectionProblem problem = pile_problem(side, side, falling);
+            for (std::size_t k = 0; k < problem.w.size(); k += 3) problem.w[k] = 0.01;
+            const Projection dense = dual_active_set(problem).projection;
+            const AugmentedLagrangianResult sparse = augmented_lagrangian(problem);
+            CAPTURE(side, falling, sparse.newton_steps);
+            CHECK(dense.complete);
+            CHECK(sparse.projection.complete);
+            CHECK(largest_difference(dense.point, sparse.projection.point) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("Dependent and doubled half-spaces change nothing for the sparse solver")
+{
+    ProjectionProblem problem = pile_problem(3, 3, true);
+    const Projection once = augmented_lagrangian(problem).projection;
+    const std::size_t count = problem.half_spaces.size();
+    for (std::size_t i = 0; i < count; ++i) problem.half_spaces.push_back(problem.half_spaces[i]);
+    const Projection twice = augmented_lagrangian(problem).projection;
+    CHECK(twice.complete);
+    CHECK(largest_difference(once.point, twice.point) < 1e-9);
+}
+
+TEST_CASE("A thousand spheres are solved, and again at once from their multipliers")
+{
+    const ProjectionProblem problem = pile_problem(10, 10, true);
+    const AugmentedLagrangianResult first = augmented_lagrangian(problem);
+    CHECK(problem.half_spaces.size() > 2500);
+    CHECK(first.projection.complete);
+    std::vector<Vec3> point = problem.start;
+    for (std::size_t i = 0; i < problem.half_spaces.size(); ++i) {
+        push(problem.half_spaces[i], problem.w, first.projection.multipliers[i], point);
+        const double left = slack(problem.half_spaces[i], first.projection.point);
+        REQUIRE(left > -1e-10);
+        if (first.projection.multipliers[i] > 0) REQUIRE(left < 1e-10);
+    }
+    CHECK(largest_difference(point, first.projection.point) < 1e-12);
+    const AugmentedLagrangianResult again = augmented_lagrangian(problem, {first.projection.multipliers});
+    CHECK(again.factorisations <= 1);
+    CHECK(largest_difference(again.projection.point, first.projection.point) < 1e-10);
+    CHECK(first.updates > first.factorisations);
+}
+
+TEST_CASE("Sweeps approach the projection and never leave it")
+{
+    const ProjectionProblem problem = pile_problem(3, 3, true);
+    const Projection exact = dual_active_set(problem).projection;
+    double before = 1e300;
+    for (const int sweeps : {1, 10, 100, 1000}) {
+        const Projection swept = gauss_seidel(problem, sweeps, std::vector<double>(problem.half_spaces.size(), 0.0));
+        const double away = largest_difference(swept.point, exact.point);
+        CHECK(away < before);
+        before = away;
+    }
+    CHECK(before < 1e-6);
+}
