@@ -31,6 +31,27 @@ void add_rest_times(const Scene& scene, const Outcome& outcome, Lines& lines)
     if (listed > most) lines.push_back({"", fmt::format("and {} more", listed - most)});
 }
 
+/// What is no closed form, and the energy that thresholds took; nothing where there is none of it.
+void add_thresholds(const Outcome& outcome, Lines& lines)
+{
+    const BodyTimes& times = outcome.body_seconds;
+    const double all = times.closed_form + times.numeric + times.guarded;
+    if (outcome.counts.numeric_steps > 0)
+        lines.push_back({"numeric", fmt::format("{} steps of clusters, {:.3g} % of all body-seconds",
+                                                outcome.counts.numeric_steps, 100 * times.numeric / all)});
+    if (outcome.counts.guarded > 0)
+        lines.push_back({"guarded", fmt::format("{} windows, {:.3g} % of all body-seconds", outcome.counts.guarded,
+                                                100 * times.guarded / all)});
+    const EnergyTaken& taken = outcome.energy_taken;
+    std::string text;
+    for (const auto& [name, energy] : {std::pair{"slow closings", taken.closing},
+                                       {"settling", taken.settling},
+                                       {"numeric steps", taken.stabilising},
+                                       {"guard", taken.guard}})
+        if (energy != 0) text += fmt::format("{}{} {:.3g}", text.empty() ? "" : ", ", name, energy);
+    if (!text.empty()) lines.push_back({"energy taken", text});
+}
+
 /// Where and how fast a few spheres ended.
 void add_final(const Scene& scene, const Outcome& outcome, Lines& lines)
 {
@@ -133,8 +154,13 @@ std::string run_table(const Scene& scene, const RunStudy& run)
     lines.push_back({"method", run.method + (outcome.kernel.empty() ? "" : " (kernel " + outcome.kernel + ")")});
     lines.push_back({"status", name(outcome.status) + (outcome.message.empty() ? "" : ": " + outcome.message)});
     lines.push_back({"time", with_unit(outcome.time, units.time)});
-    lines.push_back({"impacts", fmt::format("{}", outcome.counts.impacts)});
-    lines.push_back({"rests", fmt::format("{}", outcome.counts.rests)});
+    const Counts& counts = outcome.counts;
+    lines.push_back({"impacts", fmt::format("{}", counts.impacts)});
+    if (counts.clusters > 0)
+        lines.push_back({"clusters", fmt::format("impacts of several contacts at {} instants", counts.clusters)});
+    lines.push_back({"rests", fmt::format("{}", counts.rests)});
+    if (counts.releases > 0) lines.push_back({"releases", fmt::format("{}", counts.releases)});
+    add_thresholds(outcome, lines);
     add_rest_times(scene, outcome, lines);
     lines.push_back({"energy", fmt::format("{:.10g} -> {:.10g}", run.initial_energy, run.final_energy)});
     lines.push_back({"energy drift", drift_text(run)});

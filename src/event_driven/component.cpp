@@ -38,7 +38,7 @@ public:
         ties_ = impact;
     }
 
-    Component go()
+    ContactComponent go()
     {
         if (ties_) found_.insert(pair(key_.a, key_.b));
         enter(key_.a);
@@ -48,7 +48,7 @@ public:
             frontier_.pop_back();
             look_around(body);
         }
-        Component out;
+        ContactComponent out;
         for (const auto& [body, flight] : members_) {
             out.bodies.push_back(body);
             out.flights.push_back(flight);
@@ -210,7 +210,7 @@ std::vector<BodyId> smallest_of_component(const State& state, const std::vector<
 
 }  // namespace
 
-int Component::index_of(BodyId body) const
+int ContactComponent::index_of(BodyId body) const
 {
     const auto found = std::lower_bound(bodies.begin(), bodies.end(), body);
     return found == bodies.end() || *found != body ? immovable : static_cast<int>(found - bodies.begin());
@@ -221,17 +221,17 @@ double persistence_gap(const State& state, BodyId a, BodyId b)
     return std::max(state.rest.gap_tolerance, declared * smaller_radius(state, a, b));
 }
 
-Component gather(const State& state, const Key& contact, const Neighbourhood& neighbourhood)
+ContactComponent gather(const State& state, const Key& contact, const Neighbourhood& neighbourhood)
 {
     return Walk(state, contact, neighbourhood).go();
 }
 
-std::vector<Component> declared_components(const State& state)
+std::vector<ContactComponent> declared_components(const State& state)
 {
     const std::vector<Touch> contacts = declared_contacts(state);
     if (contacts.empty()) return {};
     const std::vector<BodyId> number = smallest_of_component(state, contacts);
-    std::map<BodyId, Component> found;
+    std::map<BodyId, ContactComponent> found;
     for (const Touch& t : contacts) found[number[static_cast<std::size_t>(t.a)]].contacts.push_back(t);
     for (BodyId i = 0; i < state.count(); ++i) {
         const auto its = found.find(number[static_cast<std::size_t>(i)]);
@@ -239,7 +239,7 @@ std::vector<Component> declared_components(const State& state)
         its->second.bodies.push_back(i);
         its->second.flights.push_back(state.flight(i));
     }
-    std::vector<Component> out;
+    std::vector<ContactComponent> out;
     for (auto& [smallest, component] : found) {
         const bool alone = component.contacts.size() == 1 && state.is_plane(component.contacts.front().b);
         if (!alone) out.push_back(std::move(component));
@@ -269,7 +269,7 @@ Event event_between(EventKind kind, const Touch& t, const Vec3& impulse)
     return {kind, {}, 0, t.b, t.a, -t.normal, -impulse};
 }
 
-Cluster cluster_of(const State& state, const Component& component)
+Cluster cluster_of(const State& state, const ContactComponent& component)
 {
     Cluster out;
     for (std::size_t i = 0; i < component.bodies.size(); ++i)

@@ -17,7 +17,7 @@ struct Touch {
 
 /// A component of the graph whose nodes are bodies that can move and whose edges are contacts: those in persistent
 /// contact, and those that close at this instant. Fixed spheres and planes link nothing.
-struct Component {
+struct ContactComponent {
     std::vector<BodyId> bodies;   ///< ascending
     std::vector<Flight> flights;  ///< of `bodies`, as if they began at this instant
     std::vector<Touch> contacts;  ///< ascending by a, then b
@@ -29,14 +29,14 @@ struct Component {
 
 /// The component of the bodies of an event. \param contact its key: a contact of its own, closed at this instant, if it
 /// is one of an impact
-Component gather(const State& state, const Key& contact, const Neighbourhood& neighbourhood);
+ContactComponent gather(const State& state, const Key& contact, const Neighbourhood& neighbourhood);
 
 /// Components of the contacts that a scene declares, gap within 1e-9 r: those that are more than one sphere on one
 /// plane.
-std::vector<Component> declared_components(const State& state);
+std::vector<ContactComponent> declared_components(const State& state);
 
 /// Contacts and velocities in the form that operators take, every restitution as the materials have it.
-Cluster cluster_of(const State& state, const Component& component);
+Cluster cluster_of(const State& state, const ContactComponent& component);
 
 /// Contact of two bodies, of which `a` can move, at these flights of one instant. \param fb null for a plane
 Touch touch(const State& state, BodyId a, const Flight& fa, BodyId b, const Flight* fb);

@@ -171,7 +171,7 @@ private:
     const Neighbourhood& neighbourhood_;
     const Vec3 gravity_;
     const double length_;  ///< of the window, h [time]
-    Component component_;
+    ContactComponent component_;
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace carom {
 
 namespace {
 
-double largest_speed(const Component& component)
+double largest_speed(const ContactComponent& component)
 {
     double largest = 0;
     for (const Flight& f : component.flights) largest = std::max(largest, f.velocity.squaredNorm());
@@ -23,7 +23,7 @@ double largest_speed(const Component& component)
 
 class Holder {
 public:
-    Holder(const State& state, Component component, const EpochTime& now)
+    Holder(const State& state, ContactComponent component, const EpochTime& now)
         : state_(state),
           component_(std::move(component)),
           now_(now),
@@ -325,7 +325,7 @@ private:
     }
 
     const State& state_;
-    Component component_;
+    ContactComponent component_;
     const EpochTime now_;
     const Vec3 gravity_;
     const double slow_;               ///< contacts no faster than this neither open nor close [length/time]
@@ -339,7 +339,7 @@ private:
 
 }  // namespace
 
-HeldComponent hold(const State& state, Component component, const EpochTime& now, bool started)
+HeldComponent hold(const State& state, ContactComponent component, const EpochTime& now, bool started)
 {
     return Holder(state, std::move(component), now).go(started);
 }

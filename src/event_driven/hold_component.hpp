@@ -28,6 +28,6 @@ struct HeldComponent {
 /// open. Bodies in contacts that carry force while their normals turn go on numerically.
 /// \param component flights with the velocities after
 /// \param started contacts are as the scene declares them: that they persist is no event
-HeldComponent hold(const State& state, Component component, const EpochTime& now, bool started);
+HeldComponent hold(const State& state, ContactComponent component, const EpochTime& now, bool started);
 
 }  // namespace carom

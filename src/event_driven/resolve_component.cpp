@@ -27,7 +27,7 @@ double kinetic_energy(const Cluster& cluster, const std::vector<Vec3>& velocitie
 
 /// Restitution as the rest policy has it. Policy contact: e := 0: for all contacts if every closing is slower than v_c,
 /// otherwise for those that closed a moment ago. Never where all e = 1. \returns whether something was made inelastic
-bool apply_policy(const State& state, const Component& component, const EpochTime& now, Cluster& cluster)
+bool apply_policy(const State& state, const ContactComponent& component, const EpochTime& now, Cluster& cluster)
 {
     const std::vector<Vec3> velocities = velocities_of(cluster);
     if (state.scene.rest.policy == RestPolicy::micro)
@@ -54,7 +54,7 @@ bool apply_policy(const State& state, const Component& component, const EpochTim
 
 class Resolver {
 public:
-    Resolver(const State& state, Component component, const EpochTime& now)
+    Resolver(const State& state, ContactComponent component, const EpochTime& now)
         : state_(state), component_(std::move(component)), now_(now)
     {
     }
@@ -110,7 +110,7 @@ private:
     }
 
     const State& state_;
-    Component component_;
+    ContactComponent component_;
     const EpochTime now_;
     ComponentResolution out_;
 };
@@ -138,7 +138,7 @@ ComponentResolution resolve_component(const State& state, const Key& key, const 
 std::vector<ComponentResolution> begin_components(const State& state)
 {
     std::vector<ComponentResolution> out;
-    for (Component& component : declared_components(state))
+    for (ContactComponent& component : declared_components(state))
         out.push_back(Resolver(state, std::move(component), {}).go(true));
     return out;
 }

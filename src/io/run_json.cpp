@@ -32,7 +32,21 @@ Json counts_json(const Counts& c)
             {"stale", c.stale},
             {"pair_tests", c.pair_tests},
             {"root_solves", c.root_solves},
-            {"steps", c.steps}};
+            {"steps", c.steps},
+            {"numeric_steps", c.numeric_steps}};
+}
+
+Json energy_taken_json(const EnergyTaken& taken)
+{
+    return {{"closing", taken.closing},
+            {"settling", taken.settling},
+            {"stabilising", taken.stabilising},
+            {"guard", taken.guard}};
+}
+
+Json body_seconds_json(const BodyTimes& times)
+{
+    return {{"closed_form", times.closed_form}, {"numeric", times.numeric}, {"guarded", times.guarded}};
 }
 
 Json step_json(const StepOptions& step)
@@ -95,6 +109,10 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
     json["energy"] = {{"initial", run.initial_energy},
                       {"final", run.final_energy},
                       {"max_relative_drift", optional_json(run.max_relative_drift)}};
+    if (event != nullptr) {
+        json["energy"]["taken"] = energy_taken_json(outcome.energy_taken);
+        json["body_seconds"] = body_seconds_json(outcome.body_seconds);
+    }
     json["momentum"] = {{"initial", vector_json(run.initial_momentum)}, {"final", vector_json(run.final_momentum)}};
     json["max_penetration"] = run.max_penetration;
     json["missed_impacts"] = nullptr;
