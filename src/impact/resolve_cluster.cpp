@@ -92,6 +92,19 @@ void open_all(const Cluster& cluster, ClusterImpact& out)
            options.impact_operator == ImpactOperator::sequential;
 }
 
+/// A light body between much heavier ones makes contacts that depend on each other to within the ratio: beyond this one
+/// doubles cannot tell, and nothing is promised.
+[[maybe_unused]] bool is_well_scaled(const Cluster& cluster)
+{
+    constexpr double most = 1e12;
+    double least = cluster.bodies.front().inverse_mass, largest = least;
+    for (const ClusterBody& body : cluster.bodies) {
+        least = std::min(least, body.inverse_mass);
+        largest = std::max(largest, body.inverse_mass);
+    }
+    return largest <= most * least;
+}
+
 }  // namespace
 
 ClusterImpact resolve_cluster(const Cluster& cluster, const ImpactOptions& options)
@@ -112,9 +125,10 @@ ClusterImpact resolve_cluster(const Cluster& cluster, const ImpactOptions& optio
     add_tangential(cluster, normal.impulses, out);
     open_all(cluster, out);
 
-    CAROM_EXPECT(nothing_closes(cluster, out.velocities,
+    CAROM_EXPECT(!is_well_scaled(cluster) ||
+                 nothing_closes(cluster, out.velocities,
                                 feasible * std::max(largest_speed(before), largest_speed(out.velocities))));
-    CAROM_EXPECT(!keeps_energy(options) ||
+    CAROM_EXPECT(!is_well_scaled(cluster) || !keeps_energy(options) ||
                  kinetic_energy(cluster, out.velocities) <= (1 + energy_rounding) * kinetic_energy(cluster, before));
     return out;
 }

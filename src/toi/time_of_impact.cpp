@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 
@@ -59,6 +60,14 @@ ScenePlane scaled_up(ScenePlane p)
     return p;
 }
 
+/// Can a double hold the time? Where products of the query underflow, exact signs may see an impact that comes later
+/// than that.
+bool is_representable(const CertifiedTime& time)
+{
+    return 0 <= time.t_lo && time.t_lo <= time.t && time.t <= time.t_hi &&
+           time.t_hi <= std::numeric_limits<double>::max();
+}
+
 }  // namespace
 
 TimeOfImpact time_of_impact(const MovingSphere& a, const MovingSphere& b)
@@ -69,7 +78,7 @@ TimeOfImpact time_of_impact(const MovingSphere& a, const MovingSphere& b)
     const CertifiedTime time = certified_time(motion);
     TimeOfImpact out;
     out.level = time.level;
-    if (time.status == ImpactStatus::none) return out;
+    if (time.status == ImpactStatus::none || !is_representable(time)) return out;
     const DoubleDouble t = time.sharp;
     const DoubleDouble3 velocity = motion.v + t * motion.a;
     Vec3 normal = direction(motion.r + t * (motion.v + (DoubleDouble(0.5) * t) * motion.a));
@@ -105,8 +114,8 @@ TimeOfImpact time_of_impact(const MovingSphere& sphere, const Plane& plane)
     const CertifiedTime time = certified_time(scaled_up(over));
     TimeOfImpact out;
     out.level = time.level;
+    if (time.status == ImpactStatus::none || !is_representable(time)) return out;
     out.status = time.status;
-    if (out.status == ImpactStatus::none) return out;
     out.t = time.t;
     out.t_lo = time.t_lo;
     out.t_hi = time.t_hi;

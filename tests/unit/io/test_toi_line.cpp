@@ -83,6 +83,15 @@ TEST_CASE("numbers are read and written to the last bit", "[toi_line]")
     for (int k = 0; k < 3; ++k) CHECK(answer.at("normal")[k].get<double>() == hit.normal[k]);
 }
 
+TEST_CASE("an impact later than a double can say is none", "[toi_line]")
+{
+    // g n is -8.5e-555: it underflows, and exact signs see that the sphere falls, for 1e427.
+    const json answer = ask(R"({"a": {"p": [1, -1e300, 5], "v": [6.5, 0, 1e9], "acc": [0, 0, -8.5e-255], "r": 16},
+        "plane": {"n": [0, -1e300, 1], "offset": 0}})");
+    CHECK(answer.at("status") == "none");
+    CHECK(answer.at("t").is_null());
+}
+
 TEST_CASE("a line that is no query is answered with what is wrong", "[toi_line]")
 {
     const std::string a = R"("a": {"p": [0,0,0], "v": [1,0,0], "r": 1})",
