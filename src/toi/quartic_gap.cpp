@@ -16,15 +16,20 @@ Dyadic power_of_two(int exponent)
 
 }  // namespace
 
-QuarticGap quartic_gap(const ExactMotion& m)
+int natural_time(const ExactMotion& m)
+{
+    const double length = std::max(largest(m.r), m.contact_distance.high);
+    return (exponent_of(length) - exponent_of(largest(m.a))) / 2;
+}
+
+QuarticGap quartic_gap(const ExactMotion& m, int time)
 {
     const Dyadic3 r = exact(m.r), v = exact(m.v), a = exact(m.a);
     const Dyadic s = m.contact_distance;
     QuarticGap gap;
-    const double length = std::max(largest(m.r), m.contact_distance.high);
-    gap.time = (exponent_of(length) - exponent_of(largest(m.a))) / 2;
+    gap.time = time;
 
-    const Dyadic unit = power_of_two(gap.time);
+    const Dyadic unit = power_of_two(time);
     Dyadic power(1.0);
     std::vector<Dyadic> c{dot(r, r) - s * s, Dyadic(2.0) * dot(r, v), dot(v, v) + dot(r, a), dot(v, a),
                           Dyadic(0.25) * dot(a, a)};
@@ -41,7 +46,8 @@ QuarticGap quartic_gap(const ExactMotion& m)
 double root_bound(const ExactPolynomial& p)
 {
     // Twice the largest |c_i / c_n|^(1/(n-i)) (Fujiwara), its exponent rounded up.
-    constexpr int most = 1020;
+    constexpr int most = 1023;
+    static_assert(horizon == 0x1p1023);
     const auto& c = p.coefficients();
     const int n = p.degree();
     int exponent = -most;

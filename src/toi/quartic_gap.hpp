@@ -12,10 +12,16 @@ struct QuarticGap {
     int time = 0;  ///< 2^time is the unit of time
 };
 
-/// In the time in which a body at rest falls a length.
-QuarticGap quartic_gap(const ExactMotion& m);
+/// Exponent of the time in which a body at rest falls a length: signs are cheap in it.
+int natural_time(const ExactMotion& m);
 
-/// A double beyond every positive root, or the largest power of two that serves if there is none.
+/// \param time exponent of the unit of time
+QuarticGap quartic_gap(const ExactMotion& m, int time);
+
+/// The last time that is looked at: beyond it times would leave the range of doubles.
+inline constexpr double horizon = 0x1p1023;
+
+/// A double beyond every positive root, or the horizon if there is none.
 double root_bound(const ExactPolynomial& p);
 
 }  // namespace carom

@@ -47,6 +47,13 @@ Vec3 direction(const DoubleDouble3& x)
     return shorter / std::sqrt(shorter.squaredNorm());
 }
 
+/// Is |x| at most the contact distance, to some digits?
+bool has_digits(const DoubleDouble3& x, DoubleDouble contact_distance)
+{
+    const Vec3 in_contact_distances = Vec3(x.x.high, x.y.high, x.z.high) / contact_distance.high;
+    return in_contact_distances.squaredNorm() < 1.5;
+}
+
 /// All by one power of two, which leaves the time as it is: products of small numbers must not underflow.
 ScenePlane scaled_up(ScenePlane p)
 {
@@ -81,9 +88,11 @@ TimeOfImpact time_of_impact(const MovingSphere& a, const MovingSphere& b)
     if (time.status == ImpactStatus::none || !is_representable(time)) return out;
     const DoubleDouble t = time.sharp;
     const DoubleDouble3 velocity = motion.v + t * motion.a;
-    Vec3 normal = direction(motion.r + t * (motion.v + (DoubleDouble(0.5) * t) * motion.a));
-    // From more than 2^100 contact distances away no digit of the contact is left, only that they approach.
-    if (normal.isZero(0) && time.t > 0) normal = -direction(velocity);
+    const DoubleDouble3 apart = motion.r + t * (motion.v + (DoubleDouble(0.5) * t) * motion.a);
+    Vec3 normal = direction(apart);
+    // From more than some 2^100 contact distances away no digit of the contact is left, only that they approach.
+    if (time.t > 0 && (normal.isZero(0) || !has_digits(apart, motion.contact_distance)))
+        normal = -direction(velocity);
     // Centres that coincide at relative speed 0 can only part.
     if (normal.isZero(0)) return out;
     out.status = time.status;

@@ -211,3 +211,37 @@ TEST_CASE("scaling by powers of two changes no bit under unequal accelerations")
         CHECK(scaled.t == std::ldexp(root.t, time));
     }
 }
+
+TEST_CASE("turns beyond the range of doubles hide no impact", "[toi]")
+{
+    const auto solve = [](const Vec3& r, const Vec3& v, const Vec3& a, double s) {
+        const Enclosure<double> out = enclose_accelerated({exactly(r), exactly(v), exactly(a), DoubleDouble(s)});
+        CHECK((out.decided != Decision::impact || out.t_hi <= std::nextafter(out.t_lo, 1e308)));
+        return out;
+    };
+    SECTION("the way back begins at t = 1e410")
+    {
+        const auto out = solve({10, 0, 0}, {-1e210, 0, 0}, {1e-200, 0, 0}, 1);
+        CHECK(out.t_lo <= 9e-210);
+        CHECK(out.t_hi >= 9e-210);
+    }
+    SECTION("there and back again, just within the range")
+    {
+        // x = 3 + v t - a t^2/2 is back at 1 at t = 2 v/a + 2/v = 2e300.
+        const auto out = solve({3, 0, 0}, {1e150, 0, 0}, {-1e-150, 0, 0}, 1);
+        CHECK(out.decided == Decision::impact);
+        CHECK(std::abs(out.t_lo / 2e300 - 1) < 1e-15);
+    }
+    SECTION("back too late")
+    {
+        CHECK(solve({3, 0, 0}, {1e200, 0, 0}, {-1e-150, 0, 0}, 1).decided == Decision::none);
+        CHECK(solve({3, 0, 0}, {1e-5, 0, 0}, {-0x1p-1074, 0, 0}, 1).decided == Decision::none);
+    }
+    SECTION("a fall that lasts beyond the range ends in the contact distance before")
+    {
+        // The minimum of the distance lies at v/a = 1e309, contact at about 1e299.
+        const auto out = solve({1e290, 0, 0}, {-1e-9, 0, 0}, {1e-318, 0, 0}, 1);
+        CHECK(out.decided == Decision::impact);
+        CHECK(std::abs(out.t_lo / 1e299 - 1) < 1e-9);
+    }
+}
