@@ -225,6 +225,12 @@ TEST_CASE("turns beyond the range of doubles hide no impact", "[toi]")
         CHECK(out.t_lo <= 9e-210);
         CHECK(out.t_hi >= 9e-210);
     }
+    SECTION("a time that is subnormal in the unit in which bodies fall a length")
+    {
+        const auto out = solve({1 + 0x1p-50, 0, 0}, {-0x1p600, 0, 0}, {0x1p-780, 0, 0}, 1);
+        CHECK(out.t_lo >= 0x1p-650 * (1 - 0x1p-51));
+        CHECK(out.t_hi <= 0x1p-650 * (1 + 0x1p-51));
+    }
     SECTION("there and back again, just within the range")
     {
         // x = 3 + v t - a t^2/2 is back at 1 at t = 2 v/a + 2/v = 2e300.
