@@ -44,12 +44,13 @@ Cluster contacts_at(const NumericCluster& cluster, const Bodies& bodies, std::ve
     return out;
 }
 
-ContactForces forces_at(const NumericCluster& cluster, const Bodies& bodies)
+/// \param guess forces of a moment nearby
+ContactForces forces_at(const NumericCluster& cluster, const Bodies& bodies, std::span<const double> guess)
 {
     std::vector<double> curvature;
     Cluster problem = contacts_at(cluster, bodies, &curvature);
     for (ClusterBody& body : problem.bodies) body.velocity = cluster.gravity;
-    return solve_contact_forces(problem, curvature);
+    return solve_contact_forces(problem, curvature, guess);
 }
 
 /// `from` moved by a rate that `at` has, for dt.
@@ -73,11 +74,11 @@ RungeKutta runge_kutta(const NumericCluster& cluster, const ContactForces& k1, d
 {
     const Bodies& y1 = cluster.bodies;
     const Bodies y2 = moved(y1, y1, k1, h / 2);
-    const ContactForces k2 = forces_at(cluster, y2);
+    const ContactForces k2 = forces_at(cluster, y2, k1.forces);
     const Bodies y3 = moved(y1, y2, k2, h / 2);
-    const ContactForces k3 = forces_at(cluster, y3);
+    const ContactForces k3 = forces_at(cluster, y3, k2.forces);
     const Bodies y4 = moved(y1, y3, k3, h);
-    const ContactForces k4 = forces_at(cluster, y4);
+    const ContactForces k4 = forces_at(cluster, y4, k3.forces);
     RungeKutta out{y1, {}, {}};
     for (std::size_t i = 0; i < y1.size(); ++i) {
         out.bodies[i].position += h / 6 * ((y1[i].velocity + y4[i].velocity) + 2 * (y2[i].velocity + y3[i].velocity));
@@ -86,33 +87,38 @@ RungeKutta runge_kutta(const NumericCluster& cluster, const ContactForces& k1, d
     }
     for (std::size_t i = 0; i < cluster.contacts.size(); ++i)
         out.forces.push_back(((k1.forces[i] + k4.forces[i]) + 2 * (k2.forces[i] + k3.forces[i])) / 6);
-    out.at_end = forces_at(cluster, out.bodies);
+    out.at_end = forces_at(cluster, out.bodies, k4.forces);
     return out;
 }
 
-/// How far the contacts that carried are beyond opening: > 0 when one of them opens. Where it carries it is the rate at
-/// which its gap would close if it alone let go, so that the sign changes steadily [length/time^2].
-double opening(const NumericCluster& cluster, const RungeKutta& end)
+/// By how much contact i is beyond opening: > 0 where it opens. Where it carries it is the rate at which its gap would
+/// close if it alone let go, so that the sign changes steadily [length/time^2].
+double opening(const NumericCluster& cluster, const ContactForces& forces, std::size_t i)
+{
+    const NumericContact& c = cluster.contacts[i];
+    const double lightness = cluster.bodies[static_cast<std::size_t>(c.a)].inverse_mass +
+                             (c.b == immovable ? 0 : cluster.bodies[static_cast<std::size_t>(c.b)].inverse_mass);
+    const double force = forces.forces[i];
+    return (force > 0 ? -force * lightness : forces.gap_rates[i]) - cluster.opening;
+}
+
+/// Of those that are watched, the first to open.
+double opening(const NumericCluster& cluster, const ContactForces& forces, const std::vector<char>& watched)
 {
     double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
-        const NumericContact& c = cluster.contacts[i];
-        if (!c.carries) continue;
-        const double lightness = cluster.bodies[static_cast<std::size_t>(c.a)].inverse_mass +
-                                 (c.b == immovable ? 0 : cluster.bodies[static_cast<std::size_t>(c.b)].inverse_mass);
-        const double force = end.at_end.forces[i];
-        most = std::max(most, (force > 0 ? -force * lightness : end.at_end.gap_rates[i]) - cluster.opening);
-    }
+    for (std::size_t i = 0; i < watched.size(); ++i)
+        if (watched[i]) most = std::max(most, opening(cluster, forces, i));
     return most;
 }
 
-/// The step to the first moment found at which a contact is open: false position with the weights of Illinois (Dowell
-/// and Jarratt 1971) between a step after which none is and one after which some is.
-double step_to_opening(const NumericCluster& cluster, const ContactForces& start, double h, RungeKutta& end)
+/// The step to the first moment found at which a watched contact is open: false position with the weights of Illinois
+/// (Dowell and Jarratt 1971) between a step after which none is and one after which some is.
+double step_to_opening(const NumericCluster& cluster, const ContactForces& start, double h,
+                       const std::vector<char>& watched, RungeKutta& end)
 {
-    double closed = 0, open = h, value_closed = -std::numeric_limits<double>::infinity(),
-           value_open = opening(cluster, end);
-    constexpr int most = 40;
+    double closed = 0, open = h, value_closed = opening(cluster, start, watched),
+           value_open = opening(cluster, end.at_end, watched);
+    constexpr int most = 60;
     const double enough = 1e-3 * cluster.opening;
     int same_side = 0;
     for (int i = 0; i < most && value_open > enough; ++i) {
@@ -120,7 +126,7 @@ double step_to_opening(const NumericCluster& cluster, const ContactForces& start
         if (!(closed < middle && middle < open)) middle = closed + (open - closed) / 2;
         if (!(closed < middle && middle < open)) break;
         RungeKutta tried = runge_kutta(cluster, start, middle);
-        const double value = opening(cluster, tried);
+        const double value = opening(cluster, tried.at_end, watched);
         const bool is_open = value > 0;
         (is_open ? open : closed) = middle;
         (is_open ? value_open : value_closed) = value;
@@ -132,6 +138,24 @@ double step_to_opening(const NumericCluster& cluster, const ContactForces& start
     return open;
 }
 
+/// A step to h, or to the first opening of a contact that carries. What opens within a millionth of h need not be
+/// found again and again: it is on its way, and ends with the step.
+double step(const NumericCluster& cluster, const ContactForces& start, double h, RungeKutta& end)
+{
+    constexpr double at_once = 1e-6;
+    std::vector<char> watched;
+    for (const double force : start.forces) watched.push_back(force > 0);
+    for (std::size_t tries = 0; tries <= watched.size(); ++tries) {
+        end = runge_kutta(cluster, start, h);
+        if (!(opening(cluster, end.at_end, watched) > 0)) break;
+        const double duration = step_to_opening(cluster, start, h, watched, end);
+        if (duration > at_once * h) return duration;
+        for (std::size_t i = 0; i < watched.size(); ++i)
+            if (watched[i] && opening(cluster, end.at_end, i) > 0) watched[i] = 0;
+    }
+    return h;
+}
+
 double energy(const NumericCluster& cluster, const Bodies& bodies)
 {
     double sum = 0;
@@ -140,47 +164,67 @@ double energy(const NumericCluster& cluster, const Bodies& bodies)
     return sum;
 }
 
-/// Gaps and rates of what still carries, back to 0.
-void put_back(const NumericCluster& cluster, RungeKutta& end)
+/// Gaps and rates of contacts that carry, back to 0.
+void put_back(const NumericCluster& cluster, const std::vector<double>& forces, Bodies& bodies)
 {
     for (const bool gaps : {true, false}) {
-        Cluster problem = contacts_at(cluster, end.bodies, nullptr);
+        Cluster problem = contacts_at(cluster, bodies, nullptr);
         Cluster carrying{problem.bodies, {}};
         std::vector<double> wanted;
         for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
-            if (!(end.at_end.forces[i] > 0)) continue;
+            if (!(forces[i] > 0)) continue;
             carrying.contacts.push_back(problem.contacts[i]);
             const NumericContact& c = cluster.contacts[i];
             const auto a = static_cast<std::size_t>(c.a);
-            const Vec3 relative =
-                c.b == immovable ? end.bodies[a].velocity
-                                 : Vec3(end.bodies[a].velocity - end.bodies[static_cast<std::size_t>(c.b)].velocity);
-            wanted.push_back(gaps ? -geometry(c, end.bodies).gap : -problem.contacts[i].normal.dot(relative));
+            const Vec3 relative = c.b == immovable
+                                      ? bodies[a].velocity
+                                      : Vec3(bodies[a].velocity - bodies[static_cast<std::size_t>(c.b)].velocity);
+            wanted.push_back(gaps ? -geometry(c, bodies).gap : -problem.contacts[i].normal.dot(relative));
         }
         if (wanted.empty()) return;
         const std::vector<Vec3> change = equalising_change(carrying, wanted);
         for (std::size_t k = 0; k < change.size(); ++k)
-            (gaps ? end.bodies[k].position : end.bodies[k].velocity) += change[k];
+            (gaps ? bodies[k].position : bodies[k].velocity) += change[k];
     }
 }
 
 }  // namespace
 
-NumericStep numeric_step(const NumericCluster& cluster, double h, bool find_opening)
+NumericStep numeric_step(const NumericCluster& cluster, double h)
 {
-    const ContactForces start = forces_at(cluster, cluster.bodies);
-    RungeKutta end = runge_kutta(cluster, start, h);
+    std::vector<double> guess;
+    for (const NumericContact& c : cluster.contacts) guess.push_back(c.force);
+    const ContactForces start = forces_at(cluster, cluster.bodies, guess);
+    RungeKutta end;
     NumericStep out;
-    out.duration = h;
-    if (find_opening && opening(cluster, end) > 0) {
-        out.opens = true;
-        out.duration = step_to_opening(cluster, start, h, end);
-    }
+    out.duration = step(cluster, start, h, end);
     const double before = energy(cluster, cluster.bodies);
-    put_back(cluster, end);
+    put_back(cluster, end.at_end.forces, end.bodies);
     out.correction = before - energy(cluster, end.bodies);
     out.bodies = std::move(end.bodies);
     out.forces = std::move(end.forces);
+    out.start_accelerations = start.accelerations;
+    out.end_accelerations = std::move(end.at_end.accelerations);
+    return out;
+}
+
+std::vector<NumericBody> within_step(const NumericCluster& cluster, const NumericStep& step, double t)
+{
+    const double h = step.duration, s = t / h;
+    Bodies out = cluster.bodies;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+        const NumericBody &from = cluster.bodies[k], &to = step.bodies[k];
+        const Vec3 v = h * from.velocity, a = h * h * step.start_accelerations[k];
+        const Vec3 missing = to.position - from.position - v - a / 2;
+        const Vec3 missing_rate = h * to.velocity - v - a;
+        const Vec3 change = h * h * step.end_accelerations[k] - a;
+        const Vec3 c3 = 10 * missing - 4 * missing_rate + change / 2;
+        const Vec3 c4 = -15 * missing + 7 * missing_rate - change;
+        const Vec3 c5 = 6 * missing - 3 * missing_rate + change / 2;
+        out[k].position += s * (v + s * (a / 2 + s * (c3 + s * (c4 + s * c5))));
+        out[k].velocity = (v + s * (a + s * (3 * c3 + s * (4 * c4 + s * (5 * c5))))) / h;
+    }
+    put_back(cluster, step.forces, out);
     return out;
 }
 

@@ -22,7 +22,7 @@ struct NumericContact {
     bool plane = false;          ///< `centre` is a normal, unit to rounding, `reach` a height along it
     Vec3 centre = Vec3::Zero();  ///< of a fixed sphere [length]
     double reach = 0;            ///< r_a + r_b, or where the centre is when in contact with the plane [length]
-    bool carries = true;         ///< it carried force when the step began
+    double force = 0;            ///< a guess of what it carries, which saves time [mass length/time^2]
 };
 
 struct NumericCluster {
@@ -36,13 +36,20 @@ struct NumericCluster {
 /// each stage, then gaps and closing rates of contacts that carry force put back to 0 (both: this project; the
 /// formulation is that of Baraff 1989 without friction). The error of a step is of order h^5 while no contact opens.
 struct NumericStep {
-    double duration = 0;  ///< up to `h`, or less: until a contact that carried force opens [time]
-    bool opens = false;
-    std::vector<NumericBody> bodies;  ///< at its end
-    std::vector<double> forces;       ///< by contact, mean over the step [mass length/time^2]
-    double correction = 0;            ///< energy that putting back took [energy]
+    double duration = 0;                    ///< up to `h`, or less: until a contact that carried force opens [time]
+    std::vector<NumericBody> bodies;        ///< at its end
+    std::vector<Vec3> start_accelerations;  ///< by body [length/time^2]
+    std::vector<Vec3> end_accelerations;    ///< by body [length/time^2]
+    std::vector<double> forces;             ///< by contact, mean over the step [mass length/time^2]
+    double correction = 0;                  ///< energy that putting back took [energy]
 };
-/// \param h > 0 [time]; \param find_opening look for the first moment at which a contact opens, by false position
-NumericStep numeric_step(const NumericCluster& cluster, double h, bool find_opening);
+/// \param h > 0 [time]. The first moment at which a contact opens is found by false position.
+NumericStep numeric_step(const NumericCluster& cluster, double h);
+
+/// The cluster within its step: the quintic through places, velocities and accelerations at both ends (Hermite), whose
+/// velocities are exact to h^5 where the step itself is to h^5 (Hairer, Norsett and Wanner, Solving Ordinary
+/// Differential Equations I, section II.6), contacts that carry put back as at the end. \param t from 0 to the duration
+/// [time]
+std::vector<NumericBody> within_step(const NumericCluster& cluster, const NumericStep& step, double t);
 
 }  // namespace carom

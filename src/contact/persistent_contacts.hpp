@@ -34,6 +34,14 @@ public:
         return std::any_of(list.begin(), list.end(), [b](const PersistentContact& c) { return c.partner == b; });
     }
 
+    /// 0 for contacts that are none.
+    double force(BodyId a, BodyId b) const
+    {
+        for (const PersistentContact& c : of(a))
+            if (c.partner == b) return c.force;
+        return 0;
+    }
+
     /// The contacts of `body` are these and no others; its former and new partners among the first `spheres` bodies
     /// learn of it.
     void set(BodyId body, const std::vector<PersistentContact>& contacts, BodyId spheres)
@@ -44,6 +52,8 @@ public:
         for (const PersistentContact& c : contacts)
             if (c.partner < spheres && !between(c.partner, body)) lists_[c.partner].push_back({body, c.force});
     }
+    /// The same contacts, other forces.
+    void set_forces(BodyId body, const std::vector<PersistentContact>& contacts) { lists_[body] = contacts; }
     void clear(BodyId body, BodyId spheres)
     {
         const auto found = lists_.find(body);

@@ -113,7 +113,7 @@ private:
         std::vector<double> curvature;
         for (std::size_t i = 0; i < count(); ++i)
             if (persists_[i]) curvature.push_back(turning(component_.contacts[i]));
-        const ContactForces forces = solve_contact_forces(problem, curvature);
+        const ContactForces forces = solve_contact_forces(problem, curvature, forces_before());
         acceleration_ = forces.accelerations;
         for (std::size_t i = 0, k = 0; i < count(); ++i) {
             if (!persists_[i]) continue;
@@ -121,6 +121,18 @@ private:
             opening_[i] = forces.gap_rates[k];
             ++k;
         }
+    }
+
+    /// Of the candidates, as they were when their bodies last changed.
+    std::vector<double> forces_before() const
+    {
+        std::vector<double> out;
+        for (std::size_t i = 0; i < count(); ++i) {
+            if (!persists_[i]) continue;
+            const Touch& t = component_.contacts[i];
+            out.push_back(state_.contacts.force(t.a, t.b));
+        }
+        return out;
     }
 
     /// |w_t|^2 / (r_a + r_b), 0 at planes.
@@ -227,10 +239,20 @@ private:
         if (held.empty()) return fly(part.front());
         const Touch& first = component_.contacts[held.front()];
         if (held.size() == 1 && state_.is_plane(first.b)) return lean(part.front(), first);
-        for (const std::size_t i : held)
-            if (force_[i] > 0 && turns(component_.contacts[i])) return integrate(part, held);
-        for (const std::size_t k : part) stay(k, held);
+        const bool rolls = std::any_of(held.begin(), held.end(), [&](std::size_t i) {
+            return force_[i] > 0 && turns(component_.contacts[i]);
+        });
+        std::vector<std::size_t> moving;
+        for (const std::size_t k : part) {
+            if (rolls && !rests(k))
+                moving.push_back(k);
+            else
+                stay(k, held);
+        }
+        if (!moving.empty()) integrate(moving, held);
     }
+
+    bool rests(std::size_t k) const { return component_.flights[k].velocity.isZero(0) && acceleration_[k].isZero(0); }
 
     /// Does the normal turn? Then what it carries has no closed form.
     bool turns(const Touch& t) const
@@ -246,7 +268,7 @@ private:
     {
         Flight f = component_.flights[k];
         f.start = now_;
-        out_.changes.push_back({component_.bodies[k], f, Vec3::Zero(), {}, {}});
+        out_.changes.push_back({component_.bodies[k], f, Vec3::Zero(), {}, {}, false});
         return out_.changes.back();
     }
 
@@ -282,14 +304,38 @@ private:
         change.acceleration = acceleration_[k];
         Flight& f = change.flight;
         f.acceleration = change.acceleration.isZero(0) ? Accelerations::none : state_.accelerations.own(change.body);
-        f.mode = f.velocity.isZero(0) && change.acceleration.isZero(0) ? Mode::resting : Mode::sliding;
+        f.mode = rests(k) ? Mode::resting : Mode::sliding;
+        change.rests_on = f.mode == Mode::resting && rested(change);
     }
 
+    bool rested(const MemberChange& change) const
+    {
+        const Flight& before = state_.flight(change.body);
+        if (before.mode != Mode::resting || before.support != several_supports) return false;
+        const auto old = state_.contacts.of(change.body);
+        return std::is_permutation(
+            old.begin(), old.end(), change.contacts.begin(), change.contacts.end(),
+            [](const PersistentContact& x, const PersistentContact& y) { return x.partner == y.partner; });
+    }
+
+    /// \param part bodies that move; those of the component that rest carry them as if they were fixed
     void integrate(const std::vector<std::size_t>& part, const std::vector<std::size_t>& held)
     {
         NumericPart numeric{{}, {}};
         for (const std::size_t k : part) numeric.bodies.push_back({component_.bodies[k], component_.flights[k]});
-        for (const std::size_t i : held) numeric.contacts.push_back({component_.contacts[i], force_[i] > 0});
+        const auto moves = [&](BodyId body) {
+            const int k = component_.index_of(body);
+            return k != immovable && !rests(static_cast<std::size_t>(k));
+        };
+        for (const std::size_t i : held) {
+            const Touch& t = component_.contacts[i];
+            if (!moves(t.a) && !moves(t.b)) continue;
+            numeric.contacts.push_back({t, force_[i], {}});
+            const BodyId other = moves(t.a) ? t.b : t.a;
+            if (!state_.is_plane(other) && !moves(other))
+                numeric.contacts.back().other =
+                    state_.is_fixed(other) ? state_.flight(other).place : component_.flight_of(other).place;
+        }
         const NumericMotion motion = numeric_motion(state_, numeric, now_, soft_);
         for (std::size_t n = 0; n < part.size(); ++n) {
             MemberChange& change = change_of(part[n]);

@@ -14,6 +14,7 @@ struct MemberChange {
     Vec3 acceleration = Vec3::Zero();         ///< its own, if the flight's is [length/time^2]
     std::vector<PersistentContact> contacts;  ///< if the support is several_supports
     Piece piece;                              ///< if the mode is numeric
+    bool rests_on = false;                    ///< it rested and rests, in the same contacts: only forces are new
 };
 
 struct HeldComponent {

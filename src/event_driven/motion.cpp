@@ -1,6 +1,7 @@
 #include "event_driven/motion.hpp"
 
 #include "math/double_double.hpp"
+#include "math/length.hpp"
 #include "toi/sphere_plane.hpp"
 #include "toi/sphere_sphere.hpp"
 #include "toi/sphere_sphere_accelerated.hpp"
@@ -98,6 +99,20 @@ Root pair_root(const State& state, const PairMotion& m)
     if (m.acceleration_a == m.acceleration_b) return sphere_sphere_root(m.r, m.v, m.contact_distance);
     const Vec3 a = state.accelerations[m.acceleration_a] - state.accelerations[m.acceleration_b];
     return sphere_sphere_accelerated_root({m.r, m.v, a, m.contact_distance});
+}
+
+bool ends_before_contact(const State& state, BodyId a, BodyId b, const PairMotion& m)
+{
+    EpochTime end = never;
+    for (const BodyId body : {a, b})
+        if (state.flight(body).mode == Mode::numeric) end = std::min(end, state.pieces.at(body).end);
+    if (end == never) return false;
+    const double time = std::max(0.0, state.frame.between(m.from, end));
+    const Vec3 acceleration = state.accelerations[m.acceleration_a] - state.accelerations[m.acceleration_b];
+    const double way = time * (length(m.v) + time / 2 * length(acceleration));
+    constexpr double rounding = 1 + 1e-9;
+    const double reach = rounding * (m.contact_distance + way);
+    return m.r.squaredNorm() > reach * reach;
 }
 
 PlaneMotion plane_motion(const State& state, const Moving& sphere, int p)

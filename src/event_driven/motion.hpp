@@ -32,6 +32,9 @@ struct PairMotion {
 };
 PairMotion pair_motion(const State& state, const Moving& a, const Moving& b);
 Root pair_root(const State& state, const PairMotion& motion);
+/// Do the spheres part ways because a numeric piece of one ends before they can meet? A quick answer: false where it
+/// takes more to know.
+bool ends_before_contact(const State& state, BodyId a, BodyId b, const PairMotion& motion);
 
 /// Of a sphere above a plane, at the start of its flight.
 struct PlaneMotion {

@@ -23,7 +23,8 @@ NumericContact numeric_contact(const State& state, const NumericPart& part, cons
     NumericContact out;
     out.a = number(t.a);
     out.b = number(t.b);
-    out.carries = contact.carries;
+    if (out.a == immovable) std::swap(out.a, out.b);
+    out.force = contact.force;
     if (state.is_plane(t.b)) {
         const Flight& f = part.bodies[static_cast<std::size_t>(out.a)].flight;
         out.plane = true;
@@ -32,7 +33,7 @@ NumericContact numeric_contact(const State& state, const NumericPart& part, cons
         return out;
     }
     out.reach = state.radius(t.a) + state.radius(t.b);
-    if (out.b == immovable) out.centre = separation(state.frame, state.flight(t.b).place, centre);
+    if (out.b == immovable) out.centre = separation(state.frame, contact.other, centre);
     return out;
 }
 
@@ -67,7 +68,7 @@ NumericMotion numeric_motion(const State& state, const NumericPart& part, const 
             {separation(state.frame, body.flight.place, centre), body.flight.velocity, state.inverse_mass(body.id)});
     for (const NumericPart::Contact& contact : part.contacts)
         cluster->contacts.push_back(numeric_contact(state, part, contact, centre));
-    const auto step = std::make_shared<NumericStep>(numeric_step(*cluster, state.rest.numeric_step, true));
+    const auto step = std::make_shared<NumericStep>(numeric_step(*cluster, state.rest.numeric_step));
 
     NumericMotion out;
     out.forces = step->forces;

@@ -13,9 +13,10 @@ struct NumericPart {
     };
     struct Contact {
         Touch touch;
-        bool carries;
+        double force;  ///< as the step begins [mass length/time^2]
+        Place other;  ///< of the sphere that is none of the bodies, if one is
     };
-    std::vector<Body> bodies;
+    std::vector<Body> bodies;  ///< whoever moves; what they touch and does not move takes part as if it were fixed
     std::vector<Contact> contacts;
 };
 

@@ -16,19 +16,18 @@ Flight Moment::flight(BodyId body)
     }
     const EpochTime& start = state_.flight(body).start;
     if (now_ == start) return f;
-    const NumericBody& at = part(piece, start).bodies[static_cast<std::size_t>(piece.index)];
+    const NumericBody& at = bodies(piece, start)[static_cast<std::size_t>(piece.index)];
     f.place = moved(state_.frame, piece.centre, at.position);
     f.velocity = at.velocity;
     return f;
 }
 
-const NumericStep& Moment::part(const Piece& piece, const EpochTime& start)
+const std::vector<NumericBody>& Moment::bodies(const Piece& piece, const EpochTime& start)
 {
-    if (now_ == piece.end) return *piece.step;
-    auto& part = parts_[piece.cluster.get()];
-    if (!part)
-        part = std::make_shared<NumericStep>(numeric_step(*piece.cluster, state_.frame.between(start, now_), false));
-    return *part;
+    if (now_ == piece.end) return piece.step->bodies;
+    const auto [found, is_new] = bodies_.try_emplace(piece.cluster.get());
+    if (is_new) found->second = within_step(*piece.cluster, *piece.step, state_.frame.between(start, now_));
+    return found->second;
 }
 
 Vec3 chord_acceleration(const Vec3& displacement, const Vec3& velocity, double duration)

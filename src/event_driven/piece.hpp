@@ -5,12 +5,12 @@
 #include "event_driven/state.hpp"
 
 #include <map>
-#include <memory>
+#include <vector>
 
 namespace carom {
 
-/// Bodies as they are at one moment, mid-step integrated anew: more exact than the parabola that stands for the piece
-/// (see `advanced`), which bodies outside the cluster see. Each cluster is integrated once.
+/// Bodies as they are at one moment, within a numeric step as the cluster has them: more exact than the parabola that
+/// stands for the piece (see `advanced`), which bodies outside the cluster see. Each cluster is placed once.
 class Moment {
 public:
     Moment(const State& state, const EpochTime& now) : state_(state), now_(now) {}
@@ -18,11 +18,11 @@ public:
     Flight flight(BodyId body);
 
 private:
-    const NumericStep& part(const Piece& piece, const EpochTime& start);
+    const std::vector<NumericBody>& bodies(const Piece& piece, const EpochTime& start);
 
     const State& state_;
     const EpochTime now_;
-    std::map<const NumericCluster*, std::shared_ptr<const NumericStep>> parts_;
+    std::map<const NumericCluster*, std::vector<NumericBody>> bodies_;
 };
 
 /// The parabola through the places at both ends of a piece, with the velocity of its beginning [length/time^2].

@@ -51,8 +51,8 @@ std::string of_frame(const Scene& scene, double until)
                    " is beyond 2^60 times the smallest radius (move the origin, or leave the smallest sphere out)";
     if (!(until <= most_epochs * frame.epoch_length))
         return "an end at " + to_text(until) +
-               " is too far for the fastest sphere: its times are counted in units of " + to_text(frame.epoch_length) +
-               " (a larger end_time makes them larger)";
+               " is too far for the fastest sphere: it passes its radius in " + to_text(frame.epoch_length) +
+               ", and times are exact up to " + to_text(most_epochs * frame.epoch_length) + " (choose an earlier end)";
     return {};
 }
 

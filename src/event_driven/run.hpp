@@ -83,7 +83,7 @@ private:
                 Event last;
                 last.a = key.a;
                 last.b = key.b;
-                return after(key, last);
+                return after(key, std::array{last});
             }
         const Resolution resolution = resolve(state_, key, neighbourhood_);
         if (resolution.coupled) return execute_component(key);
@@ -94,8 +94,7 @@ private:
         for (const Change& change : resolution.changes) ledger_.show_flight(state_, change.body);
         for (const Change& changed : resolution.changes)
             schedule_.flight_changed(state_, changed.body, now_, ledger_.out.counts);
-        if (!resolution.events.empty()) return after(key, resolution.events.front());
-        return limits();
+        return after(key, resolution.events);
     }
 
     /// An event of bodies in several contacts.
@@ -105,10 +104,8 @@ private:
         if (comes_to_rest(resolution.events)) return zeno(key);
         execute(resolution);
         // Not to stand still: an event without an impact counts, too.
-        if (key.kind != Scheduled::piece_end && resolution.events.empty()) return watch(key, {key.a, key.b});
-        for (const Event& event : resolution.events)
-            if (const Status status = after(key, event); status != Status::reached_end) return status;
-        return limits();
+        if (key.kind != Scheduled::piece_end && resolution.events.empty()) return watch(key, std::array{key.a, key.b});
+        return after(key, resolution.events);
     }
 
     /// Where policy none stops.
@@ -124,14 +121,23 @@ private:
                                       state_.scene.body_name(key.b) + " accumulate: a Zeno point");
     }
 
-    /// What an event leads to: its impacts may accumulate.
-    Status after(const Key& key, const Event& event)
+    /// What the events of an instant lead to: impacts may accumulate. However many of a body, they are one instant.
+    template <class Events>
+    Status after(const Key& key, const Events& events)
     {
-        if (event.kind != EventKind::impact || state_.law(event.a, event.b).restitution >= 1) return limits();
-        return watch(key, {event.a, event.b});
+        hit_.clear();
+        for (const Event& event : events)
+            if (event.kind == EventKind::impact && state_.law(event.a, event.b).restitution < 1)
+                hit_.insert(hit_.end(), {event.a, event.b});
+        if (hit_.size() > 2) {
+            std::sort(hit_.begin(), hit_.end());
+            hit_.erase(std::unique(hit_.begin(), hit_.end()), hit_.end());
+        }
+        return watch(key, hit_);
     }
 
-    Status watch(const Key& key, std::array<BodyId, 2> bodies)
+    template <class Bodies>
+    Status watch(const Key& key, const Bodies& bodies)
     {
         for (const BodyId body : bodies) {
             if (state_.is_plane(body) || state_.is_fixed(body) || !rate_.accumulates(state_, now_, body)) continue;
@@ -149,9 +155,10 @@ private:
     void execute(const ComponentResolution& resolution)
     {
         commit(resolution);
-        for (const MemberChange& change : resolution.changes) ledger_.show_flight(state_, change.body);
         for (const MemberChange& change : resolution.changes)
-            schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
+            if (!change.rests_on) ledger_.show_flight(state_, change.body);
+        for (const MemberChange& change : resolution.changes)
+            if (!change.rests_on) schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
     }
 
     void report(const Event& event)
@@ -188,10 +195,15 @@ private:
     void commit(const ComponentResolution& resolution)
     {
         for (const MemberChange& change : resolution.changes) {
+            if (change.rests_on) continue;
             ledger_.account_for_support(state_, change.body, now_);
             ledger_.note_mode(state_, change.body, change.flight.mode, now_);
         }
         for (const MemberChange& change : resolution.changes) {
+            if (change.rests_on) {
+                state_.contacts.set_forces(change.body, change.contacts);
+                continue;
+            }
             state_.series.erase(change.body);
             state_.pieces.erase(change.body);
             if (state_.accelerations.is_own(change.flight.acceleration))
@@ -292,6 +304,7 @@ private:
     std::size_t next_sample_ = 0;
     std::int64_t looked_at_ = 0;
     std::vector<BodyState> states_;
+    std::vector<BodyId> hit_;  ///< of the present instant
 };
 
 }  // namespace carom

@@ -178,22 +178,24 @@ private:
         ++counts.pair_tests;
         Key key;
         if (certified && is_certifiable(state, a, b)) {
+            if (state.contacts.between(a, b)) return;  // it persists
             const ContactTime contact = rough_pair_time(state, a, b);
             if (!contact.comes) return;
             key = {exact ? pair_time(state, a, b) : contact.time, Scheduled::pair_impact, a, b};
         } else if constexpr (features.gravity) {
+            if (state.contacts.between(a, b)) return;
             const PairMotion m = pair_motion(state, moving(state, a), moving(state, b));
+            if (m.acceleration_a != m.acceleration_b && ends_before_contact(state, a, b, m)) return;
             const Root root = pair_root(state, m);
             if (root.kind == RootKind::none) return;
             key = {state.frame.after(m.from, root.t), m.swept ? Scheduled::intrusion : Scheduled::pair_impact, a, b};
         } else {
             const UniformPairMotion m = uniform_pair_motion(state, a, b);
             const Root root = sphere_sphere_root(m.r, m.v, m.contact_distance);
-            if (root.kind == RootKind::none) return;
+            if (root.kind == RootKind::none || state.contacts.between(a, b)) return;
             key = {state.frame.after(m.from, root.t), Scheduled::pair_impact, a, b};
         }
         ++counts.root_solves;
-        if (state.contacts.between(a, b)) return;  // it persists
         best.take(key, state.stamps[static_cast<std::size_t>(other)],
                   !exact && certified && is_certifiable(state, a, b));
     }

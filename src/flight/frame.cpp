@@ -48,9 +48,8 @@ Frame make_frame(const Scene& scene)
     const double extent = std::sqrt((high - low).squaredNorm()) + r_min;
     const double fall = std::sqrt(2 * length(scene.gravity) * extent);
     const double speed = std::sqrt(twice_energy / m_min) + fall;  // the lightest sphere may end up with all the energy
-    const double shortest = scene.end_time * 0x1p-50;             // so that the end of the run stays countable
     const double wanted = speed > 0 ? r_min / speed : scene.end_time;
-    frame.epoch_length = power_of_two_below(std::clamp(wanted, std::max(shortest, 0x1p-900), 0x1p900));
+    frame.epoch_length = power_of_two_below(std::clamp(wanted, 0x1p-900, 0x1p900));
     frame.cell_size = 2 * power_of_two_below(2 * std::clamp(r_min, 0x1p-900, 0x1p900));
     return frame;
 }

@@ -4,6 +4,7 @@
 #include "math/components.hpp"
 #include "math/dual_active_set.hpp"
 #include "math/gauss_seidel.hpp"
+#include "math/primal_dual_active_set.hpp"
 
 #include <numeric>
 
@@ -34,6 +35,8 @@ Projection solve(const ProjectionProblem& part, std::span<const double> guess)
 {
     Projection out;
     out.complete = false;
+    if (is_dense(part) && !guess.empty()) out = primal_dual_active_set(part, guess);
+    if (out.complete) return out;
     if (!is_dense(part)) out = augmented_lagrangian(part, {guess}).projection;
     if (!out.complete && part.half_spaces.size() <= dense_at_most) out = dual_active_set(part).projection;
     if (!out.complete) out = gauss_seidel(part, last_sweeps, std::move(out.multipliers));

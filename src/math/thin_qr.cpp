@@ -11,11 +11,15 @@ namespace {
 /// A residual shorter than this part of what was split has lost digits to cancellation and is made orthogonal again.
 constexpr double twice_is_enough = 0.5;
 
+/// In four sums: one would wait for each addition, and the compiler must not reorder.
 double dot(const double* a, const double* b, int n)
 {
-    double sum = 0;
-    for (int i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
+    double sum[4] = {};
+    int i = 0;
+    for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < 4; ++k) sum[k] += a[i + k] * b[i + k];
+    for (; i < n; ++i) sum[0] += a[i] * b[i];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
 double squared_norm(const std::vector<double>& a)

@@ -167,8 +167,7 @@ Enclosure<double> enclose(const QuarticGap& gap)
     const Point start{};
     const int f_start = gap.f.sign(start), h_start = gap.h.sign(start);
     Enclosure<double> out{Decision::none, 0, 0, 0, 2};
-    bool falls = Pieces::sign_after_start(gap.h) < 0;
-    if (f_start <= 0 && falls) {
+    if (f_start <= 0 && Pieces::sign_after_start(gap.h) < 0) {
         out.decided = h_start < 0 ? Decision::impact : Decision::pressed;
         return out;
     }
@@ -177,7 +176,6 @@ Enclosure<double> enclose(const QuarticGap& gap)
     int f_left = f_start;
     for (const Turn& turn : pieces.turns()) {
         const int f_turn = sign_at_root(gap.h, gap.f, turn.where);
-        falls = !turn.is_minimum;
         if (turn.is_minimum) {
             if (f_turn < 0) return answer(gap, pieces.root_between(gap.f, left, f_left, turn.where, f_turn), true);
         } else {
@@ -186,9 +184,6 @@ Enclosure<double> enclose(const QuarticGap& gap)
             f_left = f_turn;
         }
     }
-    const Point end = Pieces::end_of(gap.f);
-    if (falls && gap.f.sign(end) < 0)
-        return answer(gap, pieces.root_between(gap.f, left, f_left, {end, end}, -1), true);
     return out;
 }
 
@@ -203,7 +198,8 @@ Enclosure<double> enclose_accelerated(const ExactMotion& motion)
         const Enclosure<double> out = enclose(gap);
         if (out.decided != Decision::impact || out.t_hi == 0 || std::ldexp(out.t_lo, -time) > too_early) return out;
     }
-    // In seconds every double is an answer; signs take longer.
+    // In seconds every double is an answer; signs take longer. Turns beyond the horizon hide no contact before it: where
+    // they are so late, falls are so steep that contact and turn are one.
     return enclose(quartic_gap(motion, 0));
 }
 

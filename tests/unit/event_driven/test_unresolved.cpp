@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cmath>
 
 using namespace carom;
 using namespace carom::test;
@@ -86,6 +87,25 @@ TEST_CASE("an end so late that what falls until then leaves the range of doubles
     const Outcome out = simulate(scene, EventDriven{});
     CHECK(out.status == Status::unresolved);
     CHECK(out.message.find("range of doubles") != std::string::npos);
-    scene.end_time = 1e120;
-    CHECK(simulate(scene, EventDriven{}).final[0].position.allFinite());
+}
+
+TEST_CASE("an end is no reason to count times in coarse units: either they are exact or the run does not begin")
+{
+    for (const bool certified : {false, true}) {
+        EventDriven method;
+        method.certified = certified;
+        RunOptions options;
+        options.max_events = 1;
+        for (const double end : {1., 1e6, 1e14, 1e20, 1e40, 1e110}) {
+            Scene scene = empty_scene(end, earth);
+            add_sphere(scene, 0.1, {0, 0, 1.1});
+            add_sphere(scene, 0.1, {0, 0, 1.32});
+            add_floor(scene);
+            const Outcome out = simulate(scene, method, options);
+            CAPTURE(certified, end, out.message);
+            CHECK((out.status == Status::event_limit) == (end < 1e18));
+            if (out.status == Status::event_limit) CHECK(out.time == Approx(std::sqrt(2 / 9.81)).epsilon(1e-12));
+            if (out.status == Status::unresolved) CHECK(out.message.find("earlier end") != std::string::npos);
+        }
+    }
 }

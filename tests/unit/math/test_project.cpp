@@ -1,5 +1,6 @@
 #include "half_space_oracle.hpp"
 
+#include "math/primal_dual_active_set.hpp"
 #include "math/project.hpp"
 
 #include "support/random.hpp"
@@ -102,4 +103,27 @@ TEST_CASE("What is inside stays where it is, to the bit")
 {
     const ProjectionProblem problem{{Vec3(0.1, 0.3, 0.7)}, {3}, {{0, -1, Vec3(1, 0, 0), 0}}, 0};
     CHECK(project(problem).point.front() == problem.start.front());
+}
+
+TEST_CASE("A guess, right, nearly right or wrong, changes nothing but the work")
+{
+    Random random(13);
+    int alone = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const ProjectionProblem problem = random_problem(random, 20, 1e3);
+        const Projection plain = project(problem);
+        std::vector<double> guess = plain.multipliers;
+        for (double& multiplier : guess)
+            if (trial % 3 > 0 && random.integer(0, trial % 3 == 1 ? 5 : 1) == 0) multiplier = multiplier > 0 ? 0 : 1;
+        const Projection guessed = project(problem, guess);
+        CAPTURE(trial, problem.half_spaces.size());
+        CHECK(guessed.complete);
+        double largest = 1;
+        for (std::size_t i = 0; i < guess.size(); ++i)
+            largest = std::max(largest, plain.multipliers[i] * normal_length2(problem.half_spaces[i], problem.w));
+        CHECK(largest_difference(guessed.point, plain.point) < 1e-10 * largest);
+        for (const double multiplier : guessed.multipliers) CHECK(multiplier >= 0);
+        alone += primal_dual_active_set(problem, guess).complete;
+    }
+    CHECK(alone > 500);  // it is not always the other solver that answers
 }

@@ -245,9 +245,10 @@ TEST_CASE("turns beyond the range of doubles hide no impact", "[toi]")
     }
     SECTION("a fall that lasts beyond the range ends in the contact distance before")
     {
-        // The minimum of the distance lies at v/a = 1e309, contact at about 1e299.
-        const auto out = solve({1e290, 0, 0}, {-1e-9, 0, 0}, {1e-318, 0, 0}, 1);
+        // The centres would meet at 1e308, beyond the last time that is looked at.
+        const auto out = solve({2.5e292, 0, 0}, {0, 0, 0}, {-0x1p-1074, 0, 0}, 2.1e292);
         CHECK(out.decided == Decision::impact);
-        CHECK(std::abs(out.t_lo / 1e299 - 1) < 1e-9);
+        const double fallen = 2.5e292 - 2.1e292;
+        CHECK(std::abs(out.t_lo / (std::sqrt(2 * fallen) * 0x1p537) - 1) < 1e-9);
     }
 }
