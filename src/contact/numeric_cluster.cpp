@@ -158,7 +158,7 @@ void put_back(const NumericCluster& cluster, RungeKutta& end)
             wanted.push_back(gaps ? -geometry(c, end.bodies).gap : -problem.contacts[i].normal.dot(relative));
         }
         if (wanted.empty()) return;
-        const std::vector<Vec3> change = equalising_change(carrying, wanted);
+        const std::vector<Vec3> change = equalising_change(carrying, wanted).change;
         for (std::size_t k = 0; k < change.size(); ++k)
             (gaps ? end.bodies[k].position : end.bodies[k].velocity) += change[k];
     }
