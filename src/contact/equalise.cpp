@@ -1,6 +1,7 @@
 #include "contact/equalise.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace carom {
 
@@ -76,12 +77,14 @@ private:
 
 }  // namespace
 
-std::vector<Vec3> equalising_change(const Cluster& cluster, std::span<const double> wanted)
+EqualisingChange equalising_change(const Cluster& cluster, std::span<const double> wanted)
 {
     const Rows rows(cluster);
     Numbers residual;
     for (std::size_t i = 0; i < wanted.size(); ++i) residual.push_back(rows.scale(i) * wanted[i]);
+    // u = A x, and direction = A combination, throughout.
     Vectors u(cluster.bodies.size(), Vec3::Zero());
+    Numbers x(residual.size(), 0), combination = residual;
     Vectors direction = rows.transposed_times(residual);
     double size = square(direction);
     const double enough = 0x1p-106 * square(residual);  // squares: the rounding of what is wanted
@@ -91,14 +94,19 @@ std::vector<Vec3> equalising_change(const Cluster& cluster, std::span<const doub
         const double length = size / square(image);
         if (!std::isfinite(length)) break;
         for (std::size_t k = 0; k < u.size(); ++k) u[k] += length * direction[k];
-        for (std::size_t i = 0; i < residual.size(); ++i) residual[i] -= length * image[i];
+        for (std::size_t i = 0; i < residual.size(); ++i) {
+            x[i] += length * combination[i];
+            residual[i] -= length * image[i];
+        }
         const Vectors gradient = rows.transposed_times(residual);
         const double next = square(gradient), ratio = next / size;
         for (std::size_t k = 0; k < u.size(); ++k) direction[k] = gradient[k] + ratio * direction[k];
+        for (std::size_t i = 0; i < x.size(); ++i) combination[i] = residual[i] + ratio * combination[i];
         size = next;
     }
     for (std::size_t k = 0; k < u.size(); ++k) u[k] *= rows.lightness(k);
-    return u;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] *= rows.scale(i);
+    return {std::move(u), std::move(x)};
 }
 
 }  // namespace carom

@@ -8,9 +8,15 @@
 
 namespace carom {
 
-/// Change by body: min sum m |d|^2 with n_i.(d_a - d_b) = wanted_i for all contacts, in the sense of least squares
+struct EqualisingChange {
+    std::vector<Vec3> change;  ///< by body
+    std::vector<double>
+        impulses;  ///< by contact, along the normal on a: they make the change (not always the only ones)
+};
+
+/// min sum m |d|^2 with n_i.(d_a - d_b) = wanted_i for all contacts, in the sense of least squares
 /// where contacts contradict one another. CGLS (Hestenes and Stiefel 1952; Bjoerck, Numerical Methods for Least Squares
 /// Problems, 1996, section 7.4), which redundant contacts do no harm; work is bounded.
-std::vector<Vec3> equalising_change(const Cluster& cluster, std::span<const double> wanted);
+EqualisingChange equalising_change(const Cluster& cluster, std::span<const double> wanted);
 
 }  // namespace carom

@@ -182,7 +182,7 @@ void put_back(const NumericCluster& cluster, const std::vector<double>& forces, 
             wanted.push_back(gaps ? -geometry(c, bodies).gap : -problem.contacts[i].normal.dot(relative));
         }
         if (wanted.empty()) return;
-        const std::vector<Vec3> change = equalising_change(carrying, wanted);
+        const std::vector<Vec3> change = equalising_change(carrying, wanted).change;
         for (std::size_t k = 0; k < change.size(); ++k)
             (gaps ? bodies[k].position : bodies[k].velocity) += change[k];
     }

@@ -80,12 +80,15 @@ private:
     /// What persists neither opens nor closes from here on: what is left of its speed goes.
     void stop_closing()
     {
+        absorbed_.assign(count(), 0);
         const Cluster held = candidates();
         if (held.contacts.empty()) return;
         std::vector<double> wanted;
         for (std::size_t i = 0; i < count(); ++i)
             if (persists_[i]) wanted.push_back(-rate(component_.contacts[i]));
-        const std::vector<Vec3> change = equalising_change(held, wanted);
+        const auto [change, impulses] = equalising_change(held, wanted);
+        for (std::size_t i = 0, n = 0; i < count(); ++i)
+            if (persists_[i]) absorbed_[i] = impulses[n++];
         for (std::size_t k = 0; k < change.size(); ++k) {
             Vec3& v = component_.flights[k].velocity;
             const double mass = 1 / held.bodies[k].inverse_mass;
@@ -181,7 +184,7 @@ private:
                 if (opens[i] && !(c > margin / 2)) all_open = false;
             }
             if (all_open) return;
-            const std::vector<Vec3> change = equalising_change(moved, wanted);
+            const std::vector<Vec3> change = equalising_change(moved, wanted).change;
             for (std::size_t k = 0; k < change.size(); ++k) component_.flights[k].velocity += change[k];
         }
     }
@@ -360,14 +363,25 @@ private:
         return 0;
     }
 
+    /// Contacts that persist from here on or open, and what absorbing the speed of slow ones gave to others.
     void report()
     {
+        const double rounding = 1e-13 * largest_speed(component_);
         for (std::size_t i = 0; i < count(); ++i) {
             const Touch& t = component_.contacts[i];
-            if (persists_[i] == t.persistent) continue;
-            const EventKind kind = persists_[i] ? EventKind::rest : EventKind::release;
-            out_.events.push_back(event_between(kind, t, Vec3::Zero()));
+            const bool persists = persists_[i], begins = persists && !t.persistent;
+            const bool pulls = absorbed_[i] < 0;
+            const bool changes = persists && std::abs(absorbed_[i]) * lightness(t) > rounding;
+            const Vec3 impulse = changes ? Vec3(absorbed_[i] * t.normal) : Vec3::Zero();
+            if (changes && !begins && !pulls) out_.events.push_back(event_between(EventKind::impact, t, impulse));
+            if (begins || (changes && pulls)) out_.events.push_back(event_between(EventKind::rest, t, impulse));
+            if (!persists && t.persistent) out_.events.push_back(event_between(EventKind::release, t, Vec3::Zero()));
         }
+    }
+    double lightness(const Touch& t) const
+    {
+        const double of_b = component_.index_of(t.b) == immovable ? 0 : state_.inverse_mass(t.b);
+        return state_.inverse_mass(t.a) + of_b;
     }
 
     const State& state_;
@@ -378,6 +392,7 @@ private:
     const double soft_;               ///< accelerations up to this are 0 [length/time^2]
     std::vector<bool> persists_;      ///< by contact
     std::vector<double> force_;       ///< by contact [mass length/time^2]
+    std::vector<double> absorbed_;    ///< by contact: impulse that took what was left of its speed [mass length/time]
     std::vector<double> opening_;     ///< by contact, d2 gap / dt2 [length/time^2]
     std::vector<Vec3> acceleration_;  ///< by body [length/time^2]
     HeldComponent out_;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace carom {
 
@@ -65,7 +67,7 @@ public:
         collide();
         HeldComponent held = hold(state_, std::move(component_), now_, started);
         out_.changes = std::move(held.changes);
-        out_.events.insert(out_.events.end(), held.events.begin(), held.events.end());
+        add(held.events);
         out_.taken.settling = held.taken.settling;
         out_.taken.stabilising = held.taken.stabilising;
         out_.numeric_steps = held.numeric_steps;
@@ -92,6 +94,20 @@ private:
         for (std::size_t k = 0; k < component_.flights.size(); ++k)
             component_.flights[k].velocity = impact.velocities[k];
         report(impact);
+    }
+
+    /// One impact a contact and instant.
+    void add(const std::vector<Event>& events)
+    {
+        std::map<std::pair<BodyId, BodyId>, std::size_t> impacts;
+        for (std::size_t i = 0; i < out_.events.size(); ++i) impacts[{out_.events[i].a, out_.events[i].b}] = i;
+        for (const Event& event : events) {
+            const auto known = impacts.find({event.a, event.b});
+            if (event.kind == EventKind::impact && known != impacts.end())
+                out_.events[known->second].impulse += event.impulse;
+            else
+                out_.events.push_back(event);
+        }
     }
 
     /// An event for each contact that got an impulse, beyond what rounding gives to those that got none.
