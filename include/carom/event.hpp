@@ -11,7 +11,8 @@ enum class EventKind : std::uint8_t {
     impact = 1,   ///< a contact got an impulse
     rest = 2,     ///< normal motion on a plane ended: the contact persists from here on
     release = 3,  ///< a persistent contact opened
-    guard = 4     ///< a jammed component was handed to a discrete method for one window
+    guard = 4,    ///< a jammed component was handed to a discrete method for one window
+    settle = 5    ///< a contact that opened slower than v_c, or was about to, was held: its impulse pulls
 };
 
 /// The word that results and files use for a kind.

@@ -71,7 +71,7 @@ struct Check {
     std::optional<double> rel, abs;  ///< tolerance, at most one of them
     std::int64_t index = 0;          ///< event_time: 0-based among impacts
     std::int64_t count = 0;          ///< event_count
-    std::string kind;                ///< event_count: impact, rest, release, guard
+    std::string kind;                ///< event_count: impact, rest, release, guard, settle
     double time = 0;                 ///< event_time, rest_time: since the start of the run [time]
     BodyId body = no_body;           ///< rest_time, final_position, final_velocity
     Vec3 value = Vec3::Zero();       ///< final_position [length], final_velocity [length/time]

@@ -62,7 +62,7 @@ struct Observer {
 struct Counts {
     std::int64_t impacts = 0;   ///< contacts that got an impulse, once per pair and instant
     std::int64_t clusters = 0;  ///< instants at which several contacts were resolved together
-    std::int64_t rests = 0, releases = 0, guarded = 0;
+    std::int64_t rests = 0, releases = 0, guarded = 0, settles = 0;
     std::int64_t cell_crossings = 0, list_rebuilds = 0;
     std::int64_t stale = 0;          ///< scheduled events that were out of date when their turn came
     std::int64_t pair_tests = 0;     ///< pairs (sphere-sphere, sphere-plane) whose gap or time of impact was examined

@@ -110,6 +110,7 @@ struct Certificate {
     std::int64_t rests_on_spheres = 0;     ///< events of kind rest between two spheres
     std::int64_t releases_of_spheres = 0;  ///< events of kind release between two spheres
     std::int64_t guards = 0;               ///< events of kind guard
+    std::int64_t settles = 0;              ///< events of kind settle
     double numeric_depth = 0;              ///< largest overlap in which a numeric piece takes part, >= 0 [length]
     double guarded_depth = 0;              ///< likewise of windows of the guard [length]
     double largest_numeric_jump = 0;       ///< of position where such a piece ends [length]

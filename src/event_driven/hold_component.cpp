@@ -31,20 +31,21 @@ public:
           slow_(std::max(1e-6 * state.rest.closing_speed, 1e-12 * largest_speed(component_))),
           soft_(1e-9 * length(gravity_))
     {
+        out_.impulses.assign(component_.contacts.size(), 0);
     }
 
-    HeldComponent go(bool started)
+    HeldComponent go()
     {
         choose_candidates();
         find_forces();
-        const std::vector<bool> opens = let_open();
+        const std::vector<char> opens = let_open();
         stop_closing();
         push_apart(opens);
         bring_to_rest();
         for (const std::vector<std::size_t>& part : parts()) go_on(part);
         std::sort(out_.changes.begin(), out_.changes.end(),
                   [](const MemberChange& x, const MemberChange& y) { return x.body < y.body; });
-        if (!started) report();
+        out_.persists = std::move(persists_);
         return std::move(out_);
     }
 
@@ -80,21 +81,38 @@ private:
     /// What persists neither opens nor closes from here on: what is left of its speed goes.
     void stop_closing()
     {
-        absorbed_.assign(count(), 0);
-        const Cluster held = candidates();
-        if (held.contacts.empty()) return;
-        std::vector<double> wanted;
+        std::vector<double> wanted(count(), 0);
         for (std::size_t i = 0; i < count(); ++i)
-            if (persists_[i]) wanted.push_back(-rate(component_.contacts[i]));
-        const auto [change, impulses] = equalising_change(held, wanted);
-        for (std::size_t i = 0, n = 0; i < count(); ++i)
-            if (persists_[i]) absorbed_[i] = impulses[n++];
-        for (std::size_t k = 0; k < change.size(); ++k) {
-            Vec3& v = component_.flights[k].velocity;
-            const double mass = 1 / held.bodies[k].inverse_mass;
-            out_.taken.settling -= mass * change[k].dot(v + 0.5 * change[k]);
-            v += change[k];
+            if (persists_[i]) wanted[i] = -rate(component_.contacts[i]);
+        const double before = kinetic_energy();
+        equalise(persists_, wanted);
+        out_.taken.settling += before - kinetic_energy();
+    }
+
+    /// Gap rates of some contacts change as wanted, by impulses along their normals.
+    void equalise(const std::vector<char>& which, const std::vector<double>& wanted)
+    {
+        Cluster all = cluster_of(state_, component_);
+        Cluster some{all.bodies, {}};
+        std::vector<double> changes;
+        for (std::size_t i = 0; i < count(); ++i) {
+            if (!which[i]) continue;
+            some.contacts.push_back(all.contacts[i]);
+            changes.push_back(wanted[i]);
         }
+        if (changes.empty()) return;
+        const EqualisingChange change = equalising_change(some, changes);
+        for (std::size_t k = 0; k < change.change.size(); ++k) component_.flights[k].velocity += change.change[k];
+        for (std::size_t i = 0, n = 0; i < count(); ++i)
+            if (which[i]) out_.impulses[i] += change.impulses[n++];
+    }
+
+    double kinetic_energy() const
+    {
+        double sum = 0;
+        for (std::size_t k = 0; k < component_.bodies.size(); ++k)
+            sum += component_.flights[k].velocity.squaredNorm() / 2 / state_.inverse_mass(component_.bodies[k]);
+        return sum;
     }
 
     Cluster candidates() const
@@ -147,9 +165,9 @@ private:
     }
 
     /// \returns by contact: it opens, from speed 0
-    std::vector<bool> let_open()
+    std::vector<char> let_open()
     {
-        std::vector<bool> opens(count(), false);
+        std::vector<char> opens(count(), 0);
         for (std::size_t i = 0; i < count(); ++i) {
             if (!persists_[i] || force_[i] > 0) continue;
             const Touch& t = component_.contacts[i];
@@ -167,25 +185,23 @@ private:
     }
 
     /// Contacts open from speed 0; by rounding that must not look like closing to those who predict.
-    void push_apart(const std::vector<bool>& opens)
+    void push_apart(const std::vector<char>& opens)
     {
         constexpr int most_pushes = 40;
         double margin = 16 * unit_roundoff * std::max(largest_speed(component_), slow_);
+        std::vector<char> moved(count(), 0);
+        for (std::size_t i = 0; i < count(); ++i) moved[i] = opens[i] || persists_[i];
         for (int n = 0; n < most_pushes; ++n, margin *= 2) {
             bool all_open = true;
-            std::vector<double> wanted;
-            const Cluster all = cluster_of(state_, component_);
-            Cluster moved{all.bodies, {}};
+            std::vector<double> wanted(count(), 0);
             for (std::size_t i = 0; i < count(); ++i) {
-                if (!opens[i] && !persists_[i]) continue;
+                if (!moved[i]) continue;
                 const double c = rate(component_.contacts[i]);
-                moved.contacts.push_back(all.contacts[i]);
-                wanted.push_back(opens[i] ? std::max(margin - c, 0.0) : -c);
+                wanted[i] = opens[i] ? std::max(margin - c, 0.0) : -c;
                 if (opens[i] && !(c > margin / 2)) all_open = false;
             }
             if (all_open) return;
-            const std::vector<Vec3> change = equalising_change(moved, wanted).change;
-            for (std::size_t k = 0; k < change.size(); ++k) component_.flights[k].velocity += change[k];
+            equalise(moved, wanted);
         }
     }
 
@@ -363,36 +379,14 @@ private:
         return 0;
     }
 
-    /// Contacts that persist from here on or open, and what absorbing the speed of slow ones gave to others.
-    void report()
-    {
-        const double rounding = 1e-13 * largest_speed(component_);
-        for (std::size_t i = 0; i < count(); ++i) {
-            const Touch& t = component_.contacts[i];
-            const bool persists = persists_[i], begins = persists && !t.persistent;
-            const bool pulls = absorbed_[i] < 0;
-            const bool changes = persists && std::abs(absorbed_[i]) * lightness(t) > rounding;
-            const Vec3 impulse = changes ? Vec3(absorbed_[i] * t.normal) : Vec3::Zero();
-            if (changes && !begins && !pulls) out_.events.push_back(event_between(EventKind::impact, t, impulse));
-            if (begins || (changes && pulls)) out_.events.push_back(event_between(EventKind::rest, t, impulse));
-            if (!persists && t.persistent) out_.events.push_back(event_between(EventKind::release, t, Vec3::Zero()));
-        }
-    }
-    double lightness(const Touch& t) const
-    {
-        const double of_b = component_.index_of(t.b) == immovable ? 0 : state_.inverse_mass(t.b);
-        return state_.inverse_mass(t.a) + of_b;
-    }
-
     const State& state_;
     ContactComponent component_;
     const EpochTime now_;
     const Vec3 gravity_;
     const double slow_;               ///< contacts no faster than this neither open nor close [length/time]
     const double soft_;               ///< accelerations up to this are 0 [length/time^2]
-    std::vector<bool> persists_;      ///< by contact
+    std::vector<char> persists_;      ///< by contact
     std::vector<double> force_;       ///< by contact [mass length/time^2]
-    std::vector<double> absorbed_;    ///< by contact: impulse that took what was left of its speed [mass length/time]
     std::vector<double> opening_;     ///< by contact, d2 gap / dt2 [length/time^2]
     std::vector<Vec3> acceleration_;  ///< by body [length/time^2]
     HeldComponent out_;
@@ -400,9 +394,9 @@ private:
 
 }  // namespace
 
-HeldComponent hold(const State& state, ContactComponent component, const EpochTime& now, bool started)
+HeldComponent hold(const State& state, ContactComponent component, const EpochTime& now)
 {
-    return Holder(state, std::move(component), now).go(started);
+    return Holder(state, std::move(component), now).go();
 }
 
 }  // namespace carom

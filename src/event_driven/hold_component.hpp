@@ -19,7 +19,10 @@ struct MemberChange {
 
 struct HeldComponent {
     std::vector<MemberChange> changes;  ///< all bodies of the component
-    std::vector<Event> events;          ///< rests and releases
+    std::vector<char> persists;         ///< by contact
+    /// By contact, along the normal on its `a`: what took the speed of slow contacts. Below 0 where one that opened
+    /// slowly was held [mass length/time].
+    std::vector<double> impulses;
     EnergyTaken taken;
     std::int64_t numeric_steps = 0;
     double depth = 0;  ///< of numeric pieces, see NumericMotion [length]
@@ -28,7 +31,6 @@ struct HeldComponent {
 /// Contacts that are closed and neither open nor close are candidates; those whose forces keep them persist, the others
 /// open. Bodies in contacts that carry force while their normals turn go on numerically.
 /// \param component flights with the velocities after
-/// \param started contacts are as the scene declares them: that they persist is no event
-HeldComponent hold(const State& state, ContactComponent component, const EpochTime& now, bool started);
+HeldComponent hold(const State& state, ContactComponent component, const EpochTime& now);
 
 }  // namespace carom

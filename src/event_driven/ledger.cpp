@@ -70,6 +70,8 @@ void Ledger::report(const State& state, const EpochTime& now, Event event)
         ++out.counts.releases;
     } else if (event.kind == EventKind::guard) {
         ++out.counts.guarded;
+    } else if (event.kind == EventKind::settle) {
+        ++out.counts.settles;
     }
     hash_.add(event);
     if (observer_.on_event) show(event);

@@ -45,7 +45,7 @@ public:
     std::int64_t events() const
     {
         const Counts& c = out.counts;
-        return c.impacts + c.rests + c.releases + c.guarded + c.numeric_steps;
+        return c.impacts + c.rests + c.releases + c.guarded + c.settles + c.numeric_steps;
     }
     std::uint64_t hash() const { return hash_.value(); }
 

@@ -1,16 +1,19 @@
 #include "event_driven/resolve_component.hpp"
 
 #include "event_driven/support.hpp"
+#include "impact/cluster_problem.hpp"
 #include "impact/resolve_cluster.hpp"
+#include "math/length.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 namespace carom {
 
 namespace {
+
+/// Of the largest speed: impulses that change speeds by less are what rounding leaves of none.
+constexpr double rounding = 1e-13;
 
 std::vector<Vec3> velocities_of(const Cluster& cluster)
 {
@@ -19,12 +22,11 @@ std::vector<Vec3> velocities_of(const Cluster& cluster)
     return out;
 }
 
-double kinetic_energy(const Cluster& cluster, const std::vector<Vec3>& velocities)
+std::vector<Vec3> velocities_of(const ContactComponent& component)
 {
-    double sum = 0;
-    for (std::size_t k = 0; k < velocities.size(); ++k)
-        sum += velocities[k].squaredNorm() / 2 / cluster.bodies[k].inverse_mass;
-    return sum;
+    std::vector<Vec3> out;
+    for (const Flight& f : component.flights) out.push_back(f.velocity);
+    return out;
 }
 
 /// Restitution as the rest policy has it. Policy contact: e := 0: for all contacts if every closing is slower than v_c,
@@ -61,13 +63,28 @@ public:
     {
     }
 
-    ComponentResolution go(bool started)
+    /// \param key of the event, null for contacts of the start
+    ComponentResolution go(const Key* key)
     {
+        const bool started = key == nullptr;
         for (const Touch& t : component_.contacts) out_.penetration = std::max(out_.penetration, -t.gap);
+        impulses_.assign(component_.contacts.size(), Vec3::Zero());
         collide();
-        HeldComponent held = hold(state_, std::move(component_), now_, started);
+        const std::vector<Touch> contacts = component_.contacts;
+        const double speed = std::max(speed_, largest_speed(velocities_of(component_)));
+        HeldComponent held = hold(state_, std::move(component_), now_);
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            const Touch& t = contacts[i];
+            Vec3 impulse = Vec3::Zero();
+            if (length(impulses_[i]) * lightness(t) > rounding * speed) impulse += impulses_[i];
+            const bool asked = key != nullptr && is_impact(*key) && is_of(t, *key);
+            if (asked || std::abs(held.impulses[i]) * lightness(t) > slow(speed))
+                impulse += held.impulses[i] * t.normal;
+            report(t, impulse, held.persists[i], started);
+        }
+        std::stable_partition(out_.events.begin(), out_.events.end(),
+                              [](const Event& event) { return event.kind == EventKind::impact; });
         out_.changes = std::move(held.changes);
-        add(held.events);
         out_.taken.settling = held.taken.settling;
         out_.taken.stabilising = held.taken.stabilising;
         out_.numeric_steps = held.numeric_steps;
@@ -81,53 +98,57 @@ private:
     {
         Cluster cluster = cluster_of(state_, component_);
         const std::vector<Vec3> before = velocities_of(cluster);
-        double speed = 0;
-        for (const Vec3& v : before) speed = std::max(speed, v.squaredNorm());
-        const double slack = std::max(1e-6 * state_.rest.closing_speed, 1e-12 * std::sqrt(speed));
-        const auto closes = [&](const ClusterContact& c) { return closing_rate(c, before) < -slack; };
+        speed_ = largest_speed(before);
+        const auto closes = [&](const ClusterContact& c) { return closing_rate(c, before) < -slow(speed_); };
         if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), closes)) return;
 
         const bool inelastic = apply_policy(state_, component_, now_, cluster);
-        const ClusterImpact impact = resolve_cluster(cluster, state_.scene.impact);
+        ClusterImpact impact = resolve_cluster(cluster, state_.scene.impact);
         if (inelastic)
             out_.taken.closing = kinetic_energy(cluster, before) - kinetic_energy(cluster, impact.velocities);
         for (std::size_t k = 0; k < component_.flights.size(); ++k)
             component_.flights[k].velocity = impact.velocities[k];
-        report(impact);
+        impulses_ = std::move(impact.impulses);
+        out_.clustered = std::count_if(impulses_.begin(), impulses_.end(),
+                                       [](const Vec3& impulse) { return !impulse.isZero(0); }) > 1;
     }
 
-    /// One impact a contact and instant.
-    void add(const std::vector<Event>& events)
+    static bool is_impact(const Key& key)
     {
-        std::map<std::pair<BodyId, BodyId>, std::size_t> impacts;
-        for (std::size_t i = 0; i < out_.events.size(); ++i) impacts[{out_.events[i].a, out_.events[i].b}] = i;
-        for (const Event& event : events) {
-            const auto known = impacts.find({event.a, event.b});
-            if (event.kind == EventKind::impact && known != impacts.end())
-                out_.events[known->second].impulse += event.impulse;
-            else
-                out_.events.push_back(event);
-        }
+        return key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact;
+    }
+    static bool is_of(const Touch& t, const Key& key)
+    {
+        return (t.a == key.a && t.b == key.b) || (t.a == key.b && t.b == key.a);
     }
 
-    /// An event for each contact that got an impulse, beyond what rounding gives to those that got none.
-    void report(const ClusterImpact& impact)
+    /// Slower is as good as not at all, where contacts persist.
+    double slow(double speed) const { return std::max(1e-6 * state_.rest.closing_speed, 1e-12 * speed); }
+
+    double lightness(const Touch& t) const
     {
-        double largest = 0;
-        for (const Vec3& impulse : impact.impulses) largest = std::max(largest, impulse.squaredNorm());
-        int some = 0;
-        for (std::size_t i = 0; i < impact.impulses.size(); ++i) {
-            constexpr double rounding = 1e-24;  // of squares
-            if (!(impact.impulses[i].squaredNorm() > rounding * largest)) continue;
-            out_.events.push_back(event_between(EventKind::impact, component_.contacts[i], impact.impulses[i]));
-            ++some;
-        }
-        out_.clustered = some > 1;
+        return state_.inverse_mass(t.a) + (state_.is_plane(t.b) ? 0 : state_.inverse_mass(t.b));
+    }
+
+    /// What happened to a contact: an impulse, or none; that it begins to persist, or opens. A contact that opened
+    /// slowly and was held is pulled, which no impact does.
+    void report(const Touch& t, const Vec3& impulse, bool persists, bool started)
+    {
+        const bool changes = !impulse.isZero(0);
+        const bool pulls = changes && impulse.dot(t.normal) < 0;
+        const Vec3 none = Vec3::Zero();
+        const auto add = [&](EventKind kind, const Vec3& j) { out_.events.push_back(event_between(kind, t, j)); };
+        if (changes && !pulls) add(EventKind::impact, impulse);
+        if (pulls) add(EventKind::settle, impulse);
+        if (persists && !t.persistent && !started) add(EventKind::rest, none);
+        if (!persists && t.persistent && !started) add(EventKind::release, none);
     }
 
     const State& state_;
     ContactComponent component_;
     const EpochTime now_;
+    double speed_ = 0;            ///< the largest before [length/time]
+    std::vector<Vec3> impulses_;  ///< by contact: of the impact [mass length/time]
     ComponentResolution out_;
 };
 
@@ -148,14 +169,14 @@ bool is_inelastic(const State& state, BodyId a, BodyId b, double closing, const 
 
 ComponentResolution resolve_component(const State& state, const Key& key, const Neighbourhood& neighbourhood)
 {
-    return Resolver(state, gather(state, key, neighbourhood), key.time).go(false);
+    return Resolver(state, gather(state, key, neighbourhood), key.time).go(&key);
 }
 
 std::vector<ComponentResolution> begin_components(const State& state)
 {
     std::vector<ComponentResolution> out;
     for (ContactComponent& component : declared_components(state))
-        out.push_back(Resolver(state, std::move(component), {}).go(true));
+        out.push_back(Resolver(state, std::move(component), {}).go(nullptr));
     return out;
 }
 

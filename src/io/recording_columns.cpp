@@ -196,7 +196,7 @@ void unpack(EventColumns& columns, std::span<const unsigned char> data, std::siz
 {
     unpack_columns(columns, data, rows, file);
     for (const std::uint8_t kind : columns.kind)
-        if (kind < static_cast<int>(EventKind::impact) || kind > static_cast<int>(EventKind::guard))
+        if (kind < static_cast<int>(EventKind::impact) || kind > static_cast<int>(EventKind::settle))
             throw InputError({file + ": damaged: an event of unknown kind"});
 }
 

@@ -27,6 +27,7 @@ Json counts_json(const Counts& c)
             {"rests", c.rests},
             {"releases", c.releases},
             {"guarded", c.guarded},
+            {"settles", c.settles},
             {"cell_crossings", c.cell_crossings},
             {"list_rebuilds", c.list_rebuilds},
             {"stale", c.stale},

@@ -36,7 +36,7 @@ public:
         } else if (*type == "event_count") {
             view.require({"count"});
             check.count = static_cast<std::int64_t>(view.integer("count", 0, most).value_or(0));
-            check.kind = view.word("kind", {"impact", "rest", "release", "guard"}).value_or("impact");
+            check.kind = view.word("kind", {"impact", "rest", "release", "guard", "settle"}).value_or("impact");
         } else if (*type == "rest_time") {
             view.require({"body", "time"});
             check.body = body(view);

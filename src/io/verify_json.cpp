@@ -59,6 +59,7 @@ std::string verify_json(const Certificate& c, const RecordingReader& recording)
     json["rests_on_spheres"] = c.rests_on_spheres;
     json["releases_of_spheres"] = c.releases_of_spheres;
     json["guards"] = c.guards;
+    json["settles"] = c.settles;
     json["largest_absorbed"] = c.largest_absorbed;
     json["numeric"] = {{"depth", c.numeric_depth},
                        {"guarded_depth", c.guarded_depth},

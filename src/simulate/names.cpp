@@ -39,6 +39,8 @@ const char* name(EventKind kind)
             return "release";
         case EventKind::guard:
             return "guard";
+        case EventKind::settle:
+            return "settle";
     }
     return "?";
 }

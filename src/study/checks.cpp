@@ -35,6 +35,7 @@ std::int64_t count_of(const Counts& counts, const std::string& kind)
     if (kind == "rest") return counts.rests;
     if (kind == "release") return counts.releases;
     if (kind == "guard") return counts.guarded;
+    if (kind == "settle") return counts.settles;
     return counts.impacts;
 }
 

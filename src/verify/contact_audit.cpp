@@ -56,6 +56,7 @@ void ContactAudit::count(const Event& event)
     out.rests_on_spheres += event.kind == EventKind::rest && spheres;
     out.releases_of_spheres += event.kind == EventKind::release && spheres;
     out.guards += event.kind == EventKind::guard;
+    out.settles += event.kind == EventKind::settle;
 }
 
 ContactAudit::Geometry ContactAudit::geometry(const Event& event)
@@ -149,6 +150,16 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
     if (may_be_inelastic(event, -w) && error(0) < found) {
         found = error(0);
         used = 0;
+    }
+    // A rebound slower than v_c may be held; then, and where other contacts are held, it is anything up to e.
+    constexpr double margin = 1 + 1e-9;
+    if (data_.is_lossy && w < 0 && (group.settles > 0 || -law.restitution * w <= margin * data_.closing_speed)) {
+        const double measured = -impulse.dot(normal) / (mass * w * normal.squaredNorm()) - 1;
+        const double within = std::clamp(measured, 0.0, law.restitution);
+        if (error(within) < found) {
+            found = error(within);
+            used = within;
+        }
     }
     const double scale = mass * speeds;
     const double allowed = 64 * u * shake * scale + (group.coupled ? solved * scale : 0);

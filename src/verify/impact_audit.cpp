@@ -121,7 +121,7 @@ void ImpactAudit::check_speed(const Before& b, const Path& after)
         if (event.a == b.body || event.b == b.body) along += event.normal.cwiseAbs();
     allowed += 16 * u * bodies_.speeds() * along;
     if (bodies_.knows_several_contacts() || several) allowed.array() += hidden * (b.pushes / mass + bodies_.speeds());
-    if (several) allowed.array() += bodies_.settling();
+    if (several || bodies_.has_several_contacts()) allowed.array() += bodies_.settling();
     if (support >= 0) {
         const Vec3& n = data_.wall(support).normal;
         const double absorbed = data_.is_lossy && bodies_.has_several_contacts() ? data_.closing_speed : 0;

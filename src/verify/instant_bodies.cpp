@@ -116,8 +116,13 @@ void InstantBodies::connect(std::span<const Event> events)
         group.loose = group.loose || b.series || !b.follows || b.path.mode == Mode::numeric || after.guarded;
     }
     for (const Event& e : events) {
-        if (e.impulse.isZero(0) || e.kind != EventKind::impact) continue;
+        if (e.impulse.isZero(0) || (e.kind != EventKind::impact && e.kind != EventKind::settle)) continue;
         Group& group = groups_[bodies_[place(moves(e.a) ? e.a : e.b)].group];
+        if (e.kind == EventKind::settle) {
+            ++group.settles;
+            group.coupled = true;
+            continue;
+        }
         if (group.impulses++ == 0) {
             group.first = e.a;
             group.second = e.b;

@@ -27,6 +27,7 @@ struct Before {
 /// Bodies that impulses connect.
 struct Group {
     int impulses = 0;
+    int settles = 0;  ///< impulses that hold a contact which opens slowly
     /// More than one sphere that meets another body: several impulses, or bodies that several contacts hold. Its
     /// velocities come from a solver, not from a formula.
     bool coupled = false;
@@ -56,12 +57,11 @@ public:
     const EpochTime& now() const { return now_; }
     /// All speeds of the instant's bodies added [cells/epoch].
     double speeds() const { return speeds_; }
-    /// What a body that several contacts hold may change its speed by without an impulse: one opening each, of 1e-6
-    /// v_c, or where some e < 1 of v_c [cells/epoch].
+    /// What a body that several contacts hold may change its speed by without an impulse: openings of 1e-6 v_c each
+    /// [cells/epoch].
     double settling() const
     {
-        const double each = data_.is_lossy ? 1 + still : 4 * still;
-        return (1 + static_cast<double>(bodies_.size())) * each * data_.closing_speed + 4 * hidden * speeds_;
+        return (1 + static_cast<double>(bodies_.size())) * 4 * still * data_.closing_speed + 4 * hidden * speeds_;
     }
     /// Is there more than one contact to be resolved, as far as can be told before?
     bool has_several_contacts() const { return coupled_; }
