@@ -164,25 +164,26 @@ double energy(const NumericCluster& cluster, const Bodies& bodies)
     return sum;
 }
 
-/// Gaps and rates of contacts that carry, back to 0.
+/// Gaps and rates of contacts that carry, back to 0; overlaps of the others, too.
 void put_back(const NumericCluster& cluster, const std::vector<double>& forces, Bodies& bodies)
 {
     for (const bool gaps : {true, false}) {
         Cluster problem = contacts_at(cluster, bodies, nullptr);
-        Cluster carrying{problem.bodies, {}};
+        Cluster some{problem.bodies, {}};
         std::vector<double> wanted;
         for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
-            if (!(forces[i] > 0)) continue;
-            carrying.contacts.push_back(problem.contacts[i]);
             const NumericContact& c = cluster.contacts[i];
             const auto a = static_cast<std::size_t>(c.a);
+            const double gap = gaps ? geometry(c, bodies).gap : 0;
+            if (!(forces[i] > 0 || gap < 0)) continue;
+            some.contacts.push_back(problem.contacts[i]);
             const Vec3 relative = c.b == immovable
                                       ? bodies[a].velocity
                                       : Vec3(bodies[a].velocity - bodies[static_cast<std::size_t>(c.b)].velocity);
-            wanted.push_back(gaps ? -geometry(c, bodies).gap : -problem.contacts[i].normal.dot(relative));
+            wanted.push_back(gaps ? -gap : -problem.contacts[i].normal.dot(relative));
         }
-        if (wanted.empty()) return;
-        const std::vector<Vec3> change = equalising_change(carrying, wanted).change;
+        if (wanted.empty()) continue;
+        const std::vector<Vec3> change = equalising_change(some, wanted).change;
         for (std::size_t k = 0; k < change.size(); ++k)
             (gaps ? bodies[k].position : bodies[k].velocity) += change[k];
     }

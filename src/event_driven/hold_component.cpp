@@ -38,9 +38,9 @@ public:
     {
         choose_candidates();
         find_forces();
-        const std::vector<char> opens = let_open();
+        std::vector<char> opens = let_open();
         stop_closing();
-        push_apart(opens);
+        push_apart(std::move(opens));
         bring_to_rest();
         for (const std::vector<std::size_t>& part : parts()) go_on(part);
         std::sort(out_.changes.begin(), out_.changes.end(),
@@ -185,20 +185,22 @@ private:
     }
 
     /// Contacts open from speed 0; by rounding that must not look like closing to those who predict.
-    void push_apart(const std::vector<char>& opens)
+    void push_apart(std::vector<char> opens)
     {
         constexpr int most_pushes = 40;
         double margin = 16 * unit_roundoff * std::max(largest_speed(component_), slow_);
+        const double enough = margin / 2;
         std::vector<char> moved(count(), 0);
-        for (std::size_t i = 0; i < count(); ++i) moved[i] = opens[i] || persists_[i];
         for (int n = 0; n < most_pushes; ++n, margin *= 2) {
             bool all_open = true;
             std::vector<double> wanted(count(), 0);
             for (std::size_t i = 0; i < count(); ++i) {
-                if (!moved[i]) continue;
                 const double c = rate(component_.contacts[i]);
+                if (!persists_[i] && c < 0) opens[i] = 1;  // what was done to others has made it close again
+                moved[i] = opens[i] || persists_[i];
+                if (!moved[i]) continue;
                 wanted[i] = opens[i] ? std::max(margin - c, 0.0) : -c;
-                if (opens[i] && !(c > margin / 2)) all_open = false;
+                if (opens[i] && !(c > enough)) all_open = false;
             }
             if (all_open) return;
             equalise(moved, wanted);
@@ -261,14 +263,51 @@ private:
         const bool rolls = std::any_of(held.begin(), held.end(), [&](std::size_t i) {
             return force_[i] > 0 && turns(component_.contacts[i]);
         });
-        std::vector<std::size_t> moving;
-        for (const std::size_t k : part) {
-            if (rolls && !rests(k))
-                moving.push_back(k);
-            else
-                stay(k, held);
-        }
+        std::vector<std::size_t> moving, staying;
+        for (const std::size_t k : part) (rolls && !rests(k) ? moving : staying).push_back(k);
+        close_gaps(staying, held);
+        for (const std::size_t k : staying) stay(k, held);
         if (!moving.empty()) integrate(moving, held);
+    }
+
+    /// Bodies that end a numeric piece end it with the errors of its steps and, in contacts that closed within one, of
+    /// the parabola that stood for it. Now that they stay, they give way until gaps are closed, and nobody else does.
+    void close_gaps(const std::vector<std::size_t>& staying, const std::vector<std::size_t>& held)
+    {
+        const Cluster all = cluster_of(state_, component_);
+        std::vector<int> number(component_.bodies.size(), immovable);
+        std::vector<char> stays(component_.bodies.size(), 0);
+        Cluster numeric;
+        for (const std::size_t k : staying) {
+            stays[k] = 1;
+            if (state_.flight(component_.bodies[k]).mode != Mode::numeric) continue;
+            number[k] = static_cast<int>(numeric.bodies.size());
+            numeric.bodies.push_back(all.bodies[k]);
+        }
+        std::vector<double> wanted;
+        double widest = 0;
+        for (const std::size_t i : held) {
+            ClusterContact c = all.contacts[i];
+            if (!stays[static_cast<std::size_t>(c.a)] || (c.b != immovable && !stays[static_cast<std::size_t>(c.b)]))
+                continue;
+            c.a = number[static_cast<std::size_t>(c.a)];
+            c.b = c.b == immovable ? immovable : number[static_cast<std::size_t>(c.b)];
+            if (c.a == immovable) {
+                std::swap(c.a, c.b);
+                c.normal = -c.normal;
+            }
+            if (c.a == immovable) continue;
+            numeric.contacts.push_back(c);
+            wanted.push_back(-component_.contacts[i].gap);
+            widest = std::max(widest, std::abs(component_.contacts[i].gap));
+        }
+        if (!(widest > 1e-3 * state_.rest.gap_tolerance)) return;
+        const std::vector<Vec3> change = equalising_change(numeric, wanted).change;
+        for (const std::size_t k : staying) {
+            if (number[k] == immovable) continue;
+            Place& place = component_.flights[k].place;
+            place = moved(state_.frame, place, change[static_cast<std::size_t>(number[k])]);
+        }
     }
 
     bool rests(std::size_t k) const { return component_.flights[k].velocity.isZero(0) && acceleration_[k].isZero(0); }

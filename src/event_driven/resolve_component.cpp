@@ -69,6 +69,7 @@ public:
         const bool started = key == nullptr;
         for (const Touch& t : component_.contacts) out_.penetration = std::max(out_.penetration, -t.gap);
         impulses_.assign(component_.contacts.size(), Vec3::Zero());
+        const std::vector<Flight> before = component_.flights;
         collide();
         const std::vector<Touch> contacts = component_.contacts;
         const double speed = std::max(speed_, largest_speed(velocities_of(component_)));
@@ -84,6 +85,7 @@ public:
         }
         std::stable_partition(out_.events.begin(), out_.events.end(),
                               [](const Event& event) { return event.kind == EventKind::impact; });
+        drop_what_goes_on(before, held.changes, key);
         out_.changes = std::move(held.changes);
         out_.taken.settling = held.taken.settling;
         out_.taken.stabilising = held.taken.stabilising;
@@ -111,6 +113,35 @@ private:
         impulses_ = std::move(impact.impulses);
         out_.clustered = std::count_if(impulses_.begin(), impulses_.end(),
                                        [](const Vec3& impulse) { return !impulse.isZero(0); }) > 1;
+    }
+
+    /// Bodies that were close by only keep their flights. Of those whose event it is one at least does not, so that it
+    /// does not come again.
+    void drop_what_goes_on(const std::vector<Flight>& before, std::vector<MemberChange>& changes, const Key* key) const
+    {
+        if (key == nullptr) return;
+        std::vector<char> drops;
+        int of_key = 0, dropped_of_key = 0;
+        const auto is_of_key = [&](const MemberChange& c) { return c.body == key->a || c.body == key->b; };
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            drops.push_back(goes_on(changes[k], before[k]));
+            if (!is_of_key(changes[k])) continue;
+            ++of_key;
+            dropped_of_key += drops[k];
+        }
+        std::size_t k = 0;
+        const bool all = of_key == dropped_of_key;
+        std::erase_if(changes, [&](const MemberChange& c) { return drops[k++] && !(all && is_of_key(c)); });
+    }
+
+    bool goes_on(const MemberChange& change, const Flight& before) const
+    {
+        const auto is_named = [&](const Event& event) { return event.a == change.body || event.b == change.body; };
+        if (std::any_of(out_.events.begin(), out_.events.end(), is_named)) return false;
+        const Flight &old = state_.flight(change.body), &next = change.flight;
+        const bool simple = old.support != several_supports && (old.mode == Mode::flying || old.mode == Mode::sliding);
+        return simple && old.mode == next.mode && old.support == next.support &&
+               old.acceleration == next.acceleration && before.velocity == next.velocity;
     }
 
     static bool is_impact(const Key& key)

@@ -122,7 +122,7 @@ void ContactAudit::check_impulse(const Event& event, const Geometry& at, const G
     if (!(after >= -slack)) fail(who + " closes further after its impact", event.a, event.b);
     if (!(event.impulse.dot(event.normal) >= -64 * u * event.impulse.norm()) && group.coupled)
         fail(who + " is pulled", event.a, event.b);
-    if (group.impulses <= 1 && !group.loose) restitution_ = check_law(event, at.normal, group);
+    if (group.impulses + group.settles <= 1 && !group.loose) restitution_ = check_law(event, at.normal, group);
 }
 
 /// The impulse of a contact alone: -(1 + e) m w n - (1 - alpha) m v_t, m the reduced mass (course handout).
@@ -151,9 +151,14 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
         found = error(0);
         used = 0;
     }
-    // A rebound slower than v_c may be held; then, and where other contacts are held, it is anything up to e.
+    // A rebound slower than v_c may be held, all of it or in part, but not that of a sphere alone on a plane.
     constexpr double margin = 1 + 1e-9;
-    if (data_.is_lossy && w < 0 && (group.settles > 0 || -law.restitution * w <= margin * data_.closing_speed)) {
+    const auto is_held = [&](BodyId body) {
+        const int support = body < data_.spheres() ? flights_.path(body).support : -1;
+        return support == several_supports || (support >= 0 && group.coupled);
+    };
+    const bool slow = -law.restitution * w <= margin * data_.closing_speed;
+    if (data_.is_lossy && w < 0 && slow && (is_held(event.a) || is_held(event.b))) {
         const double measured = -impulse.dot(normal) / (mass * w * normal.squaredNorm()) - 1;
         const double within = std::clamp(measured, 0.0, law.restitution);
         if (error(within) < found) {
@@ -162,7 +167,7 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
         }
     }
     const double scale = mass * speeds;
-    const double allowed = 64 * u * shake * scale + (group.coupled ? solved * scale : 0);
+    const double allowed = 64 * u * shake * scale + (group.coupled ? solved * scale + mass * bodies_->settling() : 0);
     if (!(found <= allowed))
         fail("an impulse on sphere " + std::to_string(event.a) + " is not that of its contact, by " +
                  figure(found / scale),
