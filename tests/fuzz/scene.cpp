@@ -18,11 +18,14 @@ constexpr std::size_t most_spheres = 20;
 constexpr std::int64_t most_events = 200;
 constexpr double most_seconds = 0.05;
 
-/// Thousands of spheres are no finding, but take their time.
+/// Thousands of spheres are no finding, but take their time. A triangle of n rows has n (n + 1) / 2.
 bool may_be_large(const std::string& text)
 {
-    constexpr double most = 500;
-    for (const char* key : {"\"count\"", "\"rows\""})
+    struct Size {
+        const char* key;
+        double most;
+    };
+    for (const auto& [key, most] : {Size{"\"count\"", 500}, Size{"\"rows\"", 30}})
         for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
             const std::size_t value = text.find_first_not_of(" \t\r\n:", at + std::string_view(key).size());
             if (value != std::string::npos && std::strtod(text.c_str() + value, nullptr) > most) return true;
