@@ -38,6 +38,12 @@ public:
         return out;
     }
 
+    std::vector<BodyId> bodies(BodyId body)
+    {
+        collect(body);
+        return std::move(component_.bodies);
+    }
+
 private:
     /// Contacts that could close within the window if nothing held them; bodies nearly in contact join.
     void collect(BodyId first)
@@ -179,6 +185,12 @@ private:
 ComponentResolution guard(const State& state, BodyId body, const EpochTime& now, const Neighbourhood& neighbourhood)
 {
     return Window(state, now, neighbourhood).go(body);
+}
+
+std::vector<BodyId> guarded_bodies(const State& state, BodyId body, const EpochTime& now,
+                                   const Neighbourhood& neighbourhood)
+{
+    return Window(state, now, neighbourhood).bodies(body);
 }
 
 }  // namespace carom

@@ -5,6 +5,8 @@
 
 #include "event_driven/state.hpp"
 
+#include <span>
+
 namespace carom {
 
 class ImpactRate {
@@ -16,13 +18,24 @@ public:
     {
     }
 
-    /// Count an event of `body`; true if it is one too many. It then begins anew.
-    bool accumulates(const State& state, const EpochTime& now, BodyId body)
+    /// Count an event of `body`; true when it is time to ask whether there are too many of its component: after each B.
+    bool add(const State& state, const EpochTime& now, BodyId body)
     {
         Recent& recent = recent_[static_cast<std::size_t>(body)];
         if (recent.count == 0 || state.frame.between(recent.since, now) > window_) recent = {now, 0};
-        if (++recent.count <= bound_) return false;
-        recent.count = 0;
+        return ++recent.count % (bound_ + 1) == 0;
+    }
+
+    /// Do these bodies have more than B events each within the window, on average? Then all begin anew.
+    bool accumulates(const State& state, const EpochTime& now, std::span<const BodyId> component)
+    {
+        double sum = 0;
+        for (const BodyId body : component) {
+            const Recent& recent = recent_[static_cast<std::size_t>(body)];
+            if (recent.count > 0 && !(state.frame.between(recent.since, now) > window_)) sum += recent.count;
+        }
+        if (!(sum > static_cast<double>(bound_) * static_cast<double>(component.size()))) return false;
+        for (const BodyId body : component) recent_[static_cast<std::size_t>(body)].count = 0;
         return true;
     }
 

@@ -140,7 +140,8 @@ private:
     Status watch(const Key& key, const Bodies& bodies)
     {
         for (const BodyId body : bodies) {
-            if (state_.is_plane(body) || state_.is_fixed(body) || !rate_.accumulates(state_, now_, body)) continue;
+            if (state_.is_plane(body) || state_.is_fixed(body) || !rate_.add(state_, now_, body)) continue;
+            if (!rate_.accumulates(state_, now_, guarded_bodies(state_, body, now_, neighbourhood_))) continue;
             if (state_.scene.rest.policy == RestPolicy::none) return zeno(key);
             if (!state_.scene.guard.on)
                 return stop(Status::unresolved, "impacts of " + state_.scene.body_name(key.a) + " and " +
