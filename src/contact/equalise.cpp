@@ -89,15 +89,20 @@ EqualisingChange equalising_change(const Cluster& cluster, std::span<const doubl
     double size = square(direction);
     const double enough = 0x1p-106 * square(residual);  // squares: the rounding of what is wanted
     const std::size_t most = 20 + 2 * (wanted.size() + 3 * u.size());
+    double left = square(residual);
     for (std::size_t step = 0; step < most && size > enough; ++step) {
         const Numbers image = rows.times(direction);
         const double length = size / square(image);
         if (!std::isfinite(length)) break;
+        // Exactly, every step shrinks the residual by length * size. Once rounding has it otherwise, all is done.
+        Numbers next_residual = residual;
+        for (std::size_t i = 0; i < residual.size(); ++i) next_residual[i] -= length * image[i];
+        const double next_left = square(next_residual);
+        if (!(next_left < left)) break;
+        left = next_left;
         for (std::size_t k = 0; k < u.size(); ++k) u[k] += length * direction[k];
-        for (std::size_t i = 0; i < residual.size(); ++i) {
-            x[i] += length * combination[i];
-            residual[i] -= length * image[i];
-        }
+        for (std::size_t i = 0; i < residual.size(); ++i) x[i] += length * combination[i];
+        residual = std::move(next_residual);
         const Vectors gradient = rows.transposed_times(residual);
         const double next = square(gradient), ratio = next / size;
         for (std::size_t k = 0; k < u.size(); ++k) direction[k] = gradient[k] + ratio * direction[k];

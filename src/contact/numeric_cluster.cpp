@@ -199,6 +199,7 @@ NumericStep numeric_step(const NumericCluster& cluster, double h)
     RungeKutta end;
     NumericStep out;
     out.duration = step(cluster, start, h, end);
+    out.integrated = end.bodies;
     const double before = energy(cluster, cluster.bodies);
     put_back(cluster, end.at_end.forces, end.bodies);
     out.correction = before - energy(cluster, end.bodies);
@@ -214,16 +215,11 @@ std::vector<NumericBody> within_step(const NumericCluster& cluster, const Numeri
     const double h = step.duration, s = t / h;
     Bodies out = cluster.bodies;
     for (std::size_t k = 0; k < out.size(); ++k) {
-        const NumericBody &from = cluster.bodies[k], &to = step.bodies[k];
-        const Vec3 v = h * from.velocity, a = h * h * step.start_accelerations[k];
-        const Vec3 missing = to.position - from.position - v - a / 2;
-        const Vec3 missing_rate = h * to.velocity - v - a;
-        const Vec3 change = h * h * step.end_accelerations[k] - a;
-        const Vec3 c3 = 10 * missing - 4 * missing_rate + change / 2;
-        const Vec3 c4 = -15 * missing + 7 * missing_rate - change;
-        const Vec3 c5 = 6 * missing - 3 * missing_rate + change / 2;
-        out[k].position += s * (v + s * (a / 2 + s * (c3 + s * (c4 + s * c5))));
-        out[k].velocity = (v + s * (a + s * (3 * c3 + s * (4 * c4 + s * (5 * c5))))) / h;
+        const Vec3 &v = cluster.bodies[k].velocity, a = h * step.start_accelerations[k];
+        const Vec3 gained = step.integrated[k].velocity - v - a, change = h * step.end_accelerations[k] - a;
+        const Vec3 c2 = 3 * gained - change, c3 = change - 2 * gained;
+        out[k].velocity += s * (a + s * (c2 + s * c3));
+        out[k].position += h * s * (v + s * (a / 2 + s * (c2 / 3 + s * (c3 / 4))));
     }
     put_back(cluster, step.forces, out);
     return out;

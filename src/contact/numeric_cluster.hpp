@@ -38,6 +38,7 @@ struct NumericCluster {
 struct NumericStep {
     double duration = 0;                    ///< up to `h`, or less: until a contact that carried force opens [time]
     std::vector<NumericBody> bodies;        ///< at its end
+    std::vector<NumericBody> integrated;    ///< before gaps and rates were put back: where the motion leads smoothly
     std::vector<Vec3> start_accelerations;  ///< by body [length/time^2]
     std::vector<Vec3> end_accelerations;    ///< by body [length/time^2]
     std::vector<double> forces;             ///< by contact, mean over the step [mass length/time^2]
@@ -46,10 +47,10 @@ struct NumericStep {
 /// \param h > 0 [time]. The first moment at which a contact opens is found by false position.
 NumericStep numeric_step(const NumericCluster& cluster, double h);
 
-/// The cluster within its step: the quintic through places, velocities and accelerations at both ends (Hermite), whose
-/// velocities are exact to h^5 where the step itself is to h^5 (Hairer, Norsett and Wanner, Solving Ordinary
-/// Differential Equations I, section II.6), contacts that carry put back as at the end. \param t from 0 to the duration
-/// [time]
+/// The cluster within its step: velocities by Hermite's cubic through velocities and accelerations at both ends, exact
+/// to h^4, places by its integral, exact to h^5 (dense output: Hairer, Norsett and Wanner, Solving Ordinary Differential
+/// Equations I, section II.6; places at both ends would be divided by h, which may be as short as rounding); contacts
+/// that carry put back as at the end. \param t from 0 to the duration [time]
 std::vector<NumericBody> within_step(const NumericCluster& cluster, const NumericStep& step, double t);
 
 }  // namespace carom

@@ -33,6 +33,7 @@ public:
             state_.scene.guard.fallback == GuardFallback::moreau ? moreau_step() : discrete_step();
         ComponentResolution out;
         out.taken.guard = energy_taken(end);
+        out.penetration = depth(end);
         for (std::size_t k = 0; k < component_.bodies.size(); ++k) out.changes.push_back(straight(k, end[k]));
         out.events.push_back({EventKind::guard, {}, 0, component_.bodies.front(), no_body, Vec3::Zero(), Vec3::Zero()});
         return out;
@@ -45,7 +46,8 @@ public:
     }
 
 private:
-    /// Contacts that could close within the window if nothing held them; bodies nearly in contact join.
+    /// Contacts nearly closed, also those that open, for they may be thrown back within the window, and planes that
+    /// would be reached if nothing held; bodies nearly in contact join.
     void collect(BodyId first)
     {
         constexpr double near = 1e-3;  // of the smaller radius
@@ -70,8 +72,7 @@ private:
                 const bool fixed = state_.is_fixed(other);
                 const bool ordered = fixed || body < other;
                 const Touch t = ordered ? touch(state_, body, own, other, &its) : touch(state_, other, its, body, &own);
-                const Vec3 relative = own.velocity - its.velocity + (fixed ? Vec3(length_ * gravity_) : Vec3::Zero());
-                if (t.gap > margin || !may_close(t, ordered ? relative : Vec3(-relative), margin)) continue;
+                if (t.gap > margin) continue;
                 found.insert(pair);
                 component_.contacts.push_back(t);
                 if (!fixed && members.emplace(other, its).second) frontier.push_back(other);
@@ -85,7 +86,7 @@ private:
 
     bool may_close(const Touch& t, const Vec3& relative, double margin) const
     {
-        return t.gap + length_ * t.normal.dot(relative) < margin;
+        return t.gap < margin || t.gap + length_ * t.normal.dot(relative) < margin;
     }
 
     std::vector<BodyState> moreau_step() const
@@ -139,6 +140,20 @@ private:
         for (std::size_t k = 0; k < component_.bodies.size(); ++k)
             out.push_back({step.final[k].position - scene.spheres[k].position, step.final[k].velocity, Mode::numeric});
         return out;
+    }
+
+    /// Overlap at the end of the window, as linear prediction has it: an upper bound.
+    double depth(const std::vector<BodyState>& end) const
+    {
+        double deepest = 0;
+        for (const Touch& t : component_.contacts) {
+            const auto shift = [&](BodyId body) {
+                const int k = component_.index_of(body);
+                return k == immovable ? Vec3(Vec3::Zero()) : end[static_cast<std::size_t>(k)].position;
+            };
+            deepest = std::max(deepest, -(t.gap + t.normal.dot(shift(t.a) - shift(t.b))));
+        }
+        return deepest;
     }
 
     double energy_taken(const std::vector<BodyState>& end) const

@@ -191,7 +191,7 @@ private:
         double margin = 16 * unit_roundoff * std::max(largest_speed(component_), slow_);
         const double enough = margin / 2;
         std::vector<char> moved(count(), 0);
-        for (int n = 0; n < most_pushes; ++n, margin *= 2) {
+        for (int n = 0; n < most_pushes && margin <= std::max(slow_, 4 * enough); ++n, margin *= 2) {
             bool all_open = true;
             std::vector<double> wanted(count(), 0);
             for (std::size_t i = 0; i < count(); ++i) {

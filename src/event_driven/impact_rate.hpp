@@ -5,6 +5,7 @@
 
 #include "event_driven/state.hpp"
 
+#include <cmath>
 #include <span>
 
 namespace carom {
@@ -14,25 +15,28 @@ public:
     explicit ImpactRate(const State& state)
         : recent_(state.flights.size()),
           bound_(state.scene.guard.impacts),
-          window_(state.scene.guard.window.value_or(state.rest.numeric_step))
+          length_(state.scene.guard.window.value_or(state.rest.numeric_step))
     {
     }
 
-    /// Count an event of `body`; true when it is time to ask whether there are too many of its component: after each B.
+    /// Count an event of `body`, each event for one of its bodies; true beyond B, when it is time to ask whether
+    /// there are too many of its component.
     bool add(const State& state, const EpochTime& now, BodyId body)
     {
+        if (!(length_ > 0)) return false;
         Recent& recent = recent_[static_cast<std::size_t>(body)];
-        if (recent.count == 0 || state.frame.between(recent.since, now) > window_) recent = {now, 0};
-        return ++recent.count % (bound_ + 1) == 0;
+        if (const double window = number(state, now); recent.window != window) recent = {window, 0};
+        return ++recent.count > bound_;
     }
 
-    /// Do these bodies have more than B events each within the window, on average? Then all begin anew.
+    /// Do these bodies have more than B events a body within the window, all added? Then all begin anew.
     bool accumulates(const State& state, const EpochTime& now, std::span<const BodyId> component)
     {
+        const double window = number(state, now);
         double sum = 0;
         for (const BodyId body : component) {
             const Recent& recent = recent_[static_cast<std::size_t>(body)];
-            if (recent.count > 0 && !(state.frame.between(recent.since, now) > window_)) sum += recent.count;
+            if (recent.window == window) sum += recent.count;
         }
         if (!(sum > static_cast<double>(bound_) * static_cast<double>(component.size()))) return false;
         for (const BodyId body : component) recent_[static_cast<std::size_t>(body)].count = 0;
@@ -41,12 +45,19 @@ public:
 
 private:
     struct Recent {
-        EpochTime since;
+        double window = -1;
         int count = 0;
     };
+
+    /// Of the window: they follow one another from the start.
+    double number(const State& state, const EpochTime& now) const
+    {
+        return std::floor(state.frame.seconds(now) / length_);
+    }
+
     std::vector<Recent> recent_;  ///< by body: events in the current window
     int bound_;                   ///< B
-    double window_;               ///< [time]
+    double length_;               ///< of a window [time]
 };
 
 }  // namespace carom

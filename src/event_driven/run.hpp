@@ -121,18 +121,14 @@ private:
                                       state_.scene.body_name(key.b) + " accumulate: a Zeno point");
     }
 
-    /// What the events of an instant lead to: impacts may accumulate. However many of a body, they are one instant.
+    /// What the events of an instant lead to: impacts may accumulate.
     template <class Events>
     Status after(const Key& key, const Events& events)
     {
         hit_.clear();
         for (const Event& event : events)
             if (event.kind == EventKind::impact && state_.law(event.a, event.b).restitution < 1)
-                hit_.insert(hit_.end(), {event.a, event.b});
-        if (hit_.size() > 2) {
-            std::sort(hit_.begin(), hit_.end());
-            hit_.erase(std::unique(hit_.begin(), hit_.end()), hit_.end());
-        }
+                hit_.push_back(state_.is_fixed(event.a) ? event.b : event.a);
         return watch(key, hit_);
     }
 
@@ -305,7 +301,7 @@ private:
     std::size_t next_sample_ = 0;
     std::int64_t looked_at_ = 0;
     std::vector<BodyState> states_;
-    std::vector<BodyId> hit_;  ///< of the present instant
+    std::vector<BodyId> hit_;  ///< one that can move for each impact of the present instant
 };
 
 }  // namespace carom
