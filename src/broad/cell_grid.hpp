@@ -27,6 +27,10 @@ public:
     double above_lower_wall(const Frame& frame, BodyId body, int axis, const Place& place) const;
     double below_upper_wall(const Frame& frame, BodyId body, int axis, const Place& place) const;
 
+    /// How far off its cell a body may be before it is filed anew: the reach has room for it. Who turns round at a wall
+    /// faster than times can tell would otherwise cross it for ever [length].
+    double slack() const { return 0x1p-10 * cell_size_; }
+
     /// Everybody filed in the 27 cells around `body`, in no particular order.
     template <class Visit>
     void neighbours(BodyId body, Visit&& visit) const

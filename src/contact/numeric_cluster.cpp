@@ -210,17 +210,22 @@ NumericStep numeric_step(const NumericCluster& cluster, double h)
     return out;
 }
 
-std::vector<NumericBody> within_step(const NumericCluster& cluster, const NumericStep& step, double t)
+NumericBody within_step(const NumericCluster& cluster, const NumericStep& step, std::size_t body, double t)
 {
     const double h = step.duration, s = t / h;
-    Bodies out = cluster.bodies;
-    for (std::size_t k = 0; k < out.size(); ++k) {
-        const Vec3 &v = cluster.bodies[k].velocity, a = h * step.start_accelerations[k];
-        const Vec3 gained = step.integrated[k].velocity - v - a, change = h * step.end_accelerations[k] - a;
-        const Vec3 c2 = 3 * gained - change, c3 = change - 2 * gained;
-        out[k].velocity += s * (a + s * (c2 + s * c3));
-        out[k].position += h * s * (v + s * (a / 2 + s * (c2 / 3 + s * (c3 / 4))));
-    }
+    NumericBody out = cluster.bodies[body];
+    const Vec3 v = out.velocity, a = h * step.start_accelerations[body];
+    const Vec3 gained = step.integrated[body].velocity - v - a, change = h * step.end_accelerations[body] - a;
+    const Vec3 c2 = 3 * gained - change, c3 = change - 2 * gained;
+    out.velocity += s * (a + s * (c2 + s * c3));
+    out.position += h * s * (v + s * (a / 2 + s * (c2 / 3 + s * (c3 / 4))));
+    return out;
+}
+
+std::vector<NumericBody> within_step(const NumericCluster& cluster, const NumericStep& step, double t)
+{
+    Bodies out;
+    for (std::size_t k = 0; k < cluster.bodies.size(); ++k) out.push_back(within_step(cluster, step, k, t));
     put_back(cluster, step.forces, out);
     return out;
 }

@@ -52,5 +52,7 @@ NumericStep numeric_step(const NumericCluster& cluster, double h);
 /// Equations I, section II.6; places at both ends would be divided by h, which may be as short as rounding); contacts
 /// that carry put back as at the end. \param t from 0 to the duration [time]
 std::vector<NumericBody> within_step(const NumericCluster& cluster, const NumericStep& step, double t);
+/// One of its bodies, before anything is put back.
+NumericBody within_step(const NumericCluster& cluster, const NumericStep& step, std::size_t body, double t);
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -39,22 +40,22 @@ public:
         return out;
     }
 
-    std::vector<BodyId> bodies(BodyId body)
+    std::vector<BodyId> bodies(BodyId body, std::size_t enough)
     {
-        collect(body);
+        collect(body, enough);
         return std::move(component_.bodies);
     }
 
 private:
     /// Contacts nearly closed, also those that open, for they may be thrown back within the window, and planes that
     /// would be reached if nothing held; bodies nearly in contact join.
-    void collect(BodyId first)
+    void collect(BodyId first, std::size_t enough = std::numeric_limits<std::size_t>::max())
     {
         constexpr double near = 1e-3;  // of the smaller radius
         std::map<BodyId, Flight> members{{first, moment_.flight(first)}};
         std::vector<BodyId> frontier{first};
         std::set<std::pair<BodyId, BodyId>> found;
-        while (!frontier.empty()) {
+        while (!frontier.empty() && members.size() < enough) {
             const BodyId body = frontier.back();
             frontier.pop_back();
             const Flight own = members.at(body);
@@ -203,9 +204,9 @@ ComponentResolution guard(const State& state, BodyId body, const EpochTime& now,
 }
 
 std::vector<BodyId> guarded_bodies(const State& state, BodyId body, const EpochTime& now,
-                                   const Neighbourhood& neighbourhood)
+                                   const Neighbourhood& neighbourhood, std::size_t enough)
 {
-    return Window(state, now, neighbourhood).bodies(body);
+    return Window(state, now, neighbourhood).bodies(body, enough);
 }
 
 }  // namespace carom

@@ -15,7 +15,8 @@ namespace carom {
 /// - velocity, pbd: one step of these methods, with all that they do about overlaps or do not.
 ComponentResolution guard(const State& state, BodyId body, const EpochTime& now, const Neighbourhood& neighbourhood);
 
-/// The bodies that it would take over.
-std::vector<BodyId> guarded_bodies(const State& state, BodyId body, const EpochTime& now, const Neighbourhood& neighbourhood);
+/// The bodies that it would take over, or `enough` of them.
+std::vector<BodyId> guarded_bodies(const State& state, BodyId body, const EpochTime& now,
+                                   const Neighbourhood& neighbourhood, std::size_t enough);
 
 }  // namespace carom

@@ -19,15 +19,23 @@ public:
     {
     }
 
-    /// Count an event of `body`, each event for one of its bodies; true beyond B, when it is time to ask whether
-    /// there are too many of its component.
+    /// Count an event of `body`, each event for one of its bodies; true when it is time to ask whether there are too
+    /// many of its component: beyond B, and when they have grown by a sixteenth since.
     bool add(const State& state, const EpochTime& now, BodyId body)
     {
         if (!(length_ > 0)) return false;
         Recent& recent = recent_[static_cast<std::size_t>(body)];
-        if (const double window = number(state, now); recent.window != window) recent = {window, 0};
-        return ++recent.count > bound_;
+        const double window = number(state, now);
+        if (window != all_.window) all_ = {window, 0, 0};
+        ++all_.count;
+        if (recent.window != window) recent = {window, 0, bound_ + 1};
+        if (++recent.count < recent.next) return false;
+        recent.next = recent.count + 1 + recent.count / 16;
+        return true;
     }
+
+    /// Components of so many bodies have not had too many, for all bodies together have not had more.
+    std::size_t enough() const { return static_cast<std::size_t>(all_.count / bound_) + 1; }
 
     /// Do these bodies have more than B events a body within the window, all added? Then all begin anew.
     bool accumulates(const State& state, const EpochTime& now, std::span<const BodyId> component)
@@ -39,14 +47,14 @@ public:
             if (recent.window == window) sum += recent.count;
         }
         if (!(sum > static_cast<double>(bound_) * static_cast<double>(component.size()))) return false;
-        for (const BodyId body : component) recent_[static_cast<std::size_t>(body)].count = 0;
+        for (const BodyId body : component) recent_[static_cast<std::size_t>(body)].window = -1;
         return true;
     }
 
 private:
     struct Recent {
         double window = -1;
-        int count = 0;
+        int count = 0, next = 0;
     };
 
     /// Of the window: they follow one another from the start.
@@ -56,6 +64,7 @@ private:
     }
 
     std::vector<Recent> recent_;  ///< by body: events in the current window
+    Recent all_;                  ///< of all bodies
     int bound_;                   ///< B
     double length_;               ///< of a window [time]
 };

@@ -1,6 +1,7 @@
 #include "event_driven/numeric_motion.hpp"
 
 #include "event_driven/height.hpp"
+#include "event_driven/motion.hpp"
 #include "event_driven/piece.hpp"
 
 #include <algorithm>
@@ -55,7 +56,44 @@ double depth(const NumericCluster& cluster, const std::vector<Vec3>& acceleratio
     return deepest;
 }
 
+/// A body as its piece has it within the step; others as they fly.
+Flight flight_within(const State& state, BodyId body, const EpochTime& time)
+{
+    Flight f = advanced(state, body, time);
+    if (f.mode != Mode::numeric) return f;
+    const Piece& piece = state.pieces.at(body);
+    if (!piece.cluster) return f;
+    const double t = state.frame.between(state.flight(body).start, time);
+    const NumericBody at = within_step(*piece.cluster, *piece.step, static_cast<std::size_t>(piece.index), t);
+    f.place = moved(state.frame, piece.centre, at.position);
+    f.velocity = at.velocity;
+    return f;
+}
+
 }  // namespace
+
+EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& earliest)
+{
+    const bool plane = state.is_plane(key.b);
+    const auto is_numeric = [&](BodyId body) {
+        return state.flight(body).mode == Mode::numeric && state.pieces.at(body).cluster != nullptr;
+    };
+    if (!is_numeric(key.a) && (plane || !is_numeric(key.b))) return key.time;
+    const double latest = state.frame.between(earliest, key.time);
+    double t = latest;
+    constexpr int steps = 4;
+    for (int i = 0; i < steps; ++i) {
+        const EpochTime time = state.frame.after(earliest, t);
+        const Flight a = flight_within(state, key.a, time);
+        const Flight b = plane ? Flight{} : flight_within(state, key.b, time);
+        const Touch contact = touch(state, key.a, a, key.b, plane ? nullptr : &b);
+        const double rate = contact.normal.dot(plane ? a.velocity : Vec3(a.velocity - b.velocity));
+        if (i == 0 && !(contact.gap < 0)) return key.time;
+        if (!(rate < 0)) break;
+        t = std::clamp(t - contact.gap / rate, 0.0, latest);
+    }
+    return t < latest ? state.frame.after(earliest, t) : key.time;
+}
 
 NumericMotion numeric_motion(const State& state, const NumericPart& part, const EpochTime& now, double opening)
 {
@@ -74,11 +112,11 @@ NumericMotion numeric_motion(const State& state, const NumericPart& part, const 
     out.forces = step->forces;
     out.correction = step->correction;
     for (std::size_t k = 0; k < part.bodies.size(); ++k) {
-        const NumericBody &before = cluster->bodies[k], &after = step->bodies[k];
         out.pieces.push_back(
             {state.frame.after(now, step->duration), Vec3::Zero(), cluster, step, static_cast<int>(k), centre});
-        out.accelerations.push_back(
-            chord_acceleration(after.position - before.position, before.velocity, step->duration));
+        // The parabola that ends where the motion does, if its acceleration changes at a steady rate: no difference of
+        // places, which what is put back, and rounding, would make enormous in a brief step.
+        out.accelerations.push_back((2 * step->start_accelerations[k] + step->end_accelerations[k]) / 3);
     }
     out.depth = depth(*cluster, out.accelerations, 2 * step->duration / 3);
     return out;

@@ -28,6 +28,10 @@ struct NumericMotion {
     double depth = 0;                 ///< overlap of the parabolas, >= 0: where a cubic would stray most [length]
 };
 
+/// When the contact of a key closes, where one of its bodies is on a numeric piece: predictions see the parabola that
+/// stands for the piece, and may come a little late. Not before `earliest`, not after the key's time.
+EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& earliest);
+
 /// One step of rest.numeric_step, or less if a contact opens. \param opening see NumericCluster
 NumericMotion numeric_motion(const State& state, const NumericPart& part, const EpochTime& now, double opening);
 

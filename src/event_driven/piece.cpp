@@ -30,9 +30,4 @@ const std::vector<NumericBody>& Moment::bodies(const Piece& piece, const EpochTi
     return found->second;
 }
 
-Vec3 chord_acceleration(const Vec3& displacement, const Vec3& velocity, double duration)
-{
-    return 2 / duration * (displacement / duration - velocity);
-}
-
 }  // namespace carom

@@ -25,7 +25,4 @@ private:
     std::map<const NumericCluster*, std::vector<NumericBody>> bodies_;
 };
 
-/// The parabola through the places at both ends of a piece, with the velocity of its beginning [length/time^2].
-Vec3 chord_acceleration(const Vec3& displacement, const Vec3& velocity, double duration);
-
 }  // namespace carom

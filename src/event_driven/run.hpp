@@ -7,6 +7,7 @@
 #include "event_driven/impact_rate.hpp"
 #include "event_driven/ledger.hpp"
 #include "event_driven/motion.hpp"
+#include "event_driven/numeric_motion.hpp"
 #include "event_driven/piece.hpp"
 #include "event_driven/resolve.hpp"
 #include "event_driven/resolve_component.hpp"
@@ -73,8 +74,10 @@ private:
         return state_;
     }
 
-    Status execute(const Key& key)
+    Status execute(Key key)
     {
+        if (key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact)
+            key.time = time_of_contact(state_, key, now_);
         now_ = key.time;
         show_samples_before(now_);
         if constexpr (requires { &Schedule::bounces; })
@@ -137,7 +140,8 @@ private:
     {
         for (const BodyId body : bodies) {
             if (state_.is_plane(body) || state_.is_fixed(body) || !rate_.add(state_, now_, body)) continue;
-            if (!rate_.accumulates(state_, now_, guarded_bodies(state_, body, now_, neighbourhood_))) continue;
+            if (!rate_.accumulates(state_, now_, guarded_bodies(state_, body, now_, neighbourhood_, rate_.enough())))
+                continue;
             if (state_.scene.rest.policy == RestPolicy::none) return zeno(key);
             if (!state_.scene.guard.on)
                 return stop(Status::unresolved, "impacts of " + state_.scene.body_name(key.a) + " and " +

@@ -219,10 +219,10 @@ private:
             const double v = f.velocity[axis];
             if constexpr (features.gravity) {
                 const double g = state.accelerations[f.acceleration][axis];
-                if (v < 0 || g < 0)
-                    keep(plane_root(grid->above_lower_wall(state.frame, body, axis, f.place), v, g), 2 * axis);
-                if (v > 0 || g > 0)
-                    keep(plane_root(grid->below_upper_wall(state.frame, body, axis, f.place), -v, -g), 2 * axis + 1);
+                const double above = grid->above_lower_wall(state.frame, body, axis, f.place) + grid->slack(),
+                             below = grid->below_upper_wall(state.frame, body, axis, f.place) + grid->slack();
+                if (v < 0 || g < 0) keep(plane_root(above, v, g), 2 * axis);
+                if (v > 0 || g > 0) keep(plane_root(below, -v, -g), 2 * axis + 1);
             } else {
                 if (v < 0)
                     keep(uniform_plane_root(grid->above_lower_wall(state.frame, body, axis, f.place), v), 2 * axis);

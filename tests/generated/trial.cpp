@@ -121,8 +121,8 @@ std::string complaint(const Trial& trial)
     if (!trial.ended) return "crashed or hung";
     if (trial.status != Status::reached_end) return name(trial.status);
     if (trial.lost > 0) return "lost spheres";
-    // The guard steps in after the instant that is one too many, of up to some 3 impacts a body.
-    if (trial.busiest_window > 1.05) return "more impacts than the bound";
+    // The guard looks when the impacts of a body have grown by a sixteenth, after an instant of up to some 3 a body.
+    if (trial.busiest_window > 1.1) return "more impacts than the bound";
     if (trial.penetration > std::max(1.01 * touching, 1.01 * trial.stated)) return "deeper than stated";
     return "";
 }

@@ -91,3 +91,15 @@ TEST_CASE("grid and all pairs give the same run with large and rough series")
         require_same_run(scene, 100);
     }
 }
+
+TEST_CASE("who turns round at a cell wall faster than times can tell does not cross it for ever")
+{
+    // Up at 1e-25 and down at once: back at the wall, which is at height 0 as every cell's is, after 5e-20.
+    Scene scene = empty_scene(2, {0, 0, -4e-6});
+    for (int i = 0; i < 4; ++i) add_sphere(scene, 0.25, {static_cast<double>(i), 0, 0}, {0, 0, 1e-25});
+    RunOptions options;
+    options.max_seconds = 5;
+    const Outcome outcome = simulate(scene, EventDriven{BroadPhase::cell_grid}, options);
+    CHECK(outcome.status == Status::reached_end);
+    CHECK(outcome.counts.cell_crossings < 10);
+}
