@@ -341,7 +341,8 @@ private:
     void lean(std::size_t k, const Touch& t)
     {
         Flight& f = change_of(k).flight;
-        f.velocity -= (t.normal.dot(f.velocity) / t.normal.squaredNorm()) * t.normal;
+        const double c = t.normal.dot(f.velocity);
+        if (std::abs(c) > 4 * unit_roundoff * length(f.velocity)) f.velocity -= (c / t.normal.squaredNorm()) * t.normal;
         carom::hold(state_, state_.plane_index(t.b), f);
     }
 

@@ -68,9 +68,17 @@ private:
     {
         ledger_.show_frame(state_);
         for (const Change& change : initial_contacts(state_)) commit(change, {});
-        for (const ComponentResolution& component : begin_components(state_)) commit(component);
-        for (std::uint32_t& stamp : state_.stamps) stamp = 0;
+        const std::vector<ComponentResolution> components = begin_components(state_);
+        for (const ComponentResolution& component : components)
+            if (component.events.empty()) commit(component);
         for (BodyId i = 0; i < state_.count(); ++i) ledger_.show_flight(state_, i);
+        // Those that close have their impacts then, from flights that everybody has seen.
+        for (const ComponentResolution& component : components) {
+            if (component.events.empty()) continue;
+            commit(component);
+            for (const MemberChange& change : component.changes) ledger_.show_flight(state_, change.body);
+        }
+        for (std::uint32_t& stamp : state_.stamps) stamp = 0;
         return state_;
     }
 

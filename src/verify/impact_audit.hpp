@@ -20,7 +20,7 @@ public:
 
 private:
     /// May this flight change without an event that names its body?
-    bool is_excused(const Before& b, const Path& after) const;
+    bool is_excused(const Before& b) const;
     void check_place(const Before& b, const Path& after);
     void check_speed(const Before& b, const Path& after);
     double tolerance() const { return data_.run.certified ? 0x1p-96 : 16 * u; }

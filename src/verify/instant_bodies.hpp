@@ -33,6 +33,7 @@ struct Group {
     bool coupled = false;
     bool supported = false;  ///< a persistent contact takes part
     bool loose = false;      ///< a piece that no closed form gives, or a series, ends here: before is known roughly
+    double mass = 0;         ///< of its bodies that changed
     double speeds = 0;       ///< of its bodies, before, added [cells/epoch]
     double energy = 0, change = 0;             ///< kinetic; the sizes that it is made of, and what it gained
     double momenta = 0;                        ///< sizes of momenta added
