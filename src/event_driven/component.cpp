@@ -55,6 +55,7 @@ public:
         }
         for (const auto& [a, b] : found_) out.contacts.push_back(closed(a, b));
         std::sort(out.contacts.begin(), out.contacts.end(), comes_first);
+        for (const auto& [which, contact] : opened_) out.opened.push_back(contact);
         return out;
     }
 
@@ -104,10 +105,15 @@ private:
         const Flight& own = state_.flight(body);
         if (own.mode != Mode::series && own.support >= 0)
             take(body, state_.scene.plane_body(static_cast<std::size_t>(own.support)));
-        for (const PersistentContact& c : state_.contacts.of(body))
-            if (closed(pair(body, c.partner).first, pair(body, c.partner).second).gap <=
-                persistence_gap(state_, body, c.partner))
+        for (const PersistentContact& c : state_.contacts.of(body)) {
+            const auto [a, b] = pair(body, c.partner);
+            const Touch t = closed(a, b);
+            if (t.gap <= persistence_gap(state_, body, c.partner)) {
                 take(body, c.partner);
+            } else if (opened_.try_emplace({a, b}, t).second && !state_.is_plane(c.partner)) {
+                enter(c.partner);
+            }
+        }
         if (!ties_) return;
         for (std::size_t p = 0; p < state_.scene.planes.size(); ++p) take_tie(body, state_.scene.plane_body(p));
         const auto near = neighbourhood_(body);
@@ -153,6 +159,7 @@ private:
     std::map<BodyId, Flight> members_;
     std::unordered_map<BodyId, Flight> others_;
     std::unordered_set<Pair, PairHash> found_;
+    std::map<Pair, Touch> opened_;
     std::vector<BodyId> frontier_;
 };
 

@@ -21,6 +21,7 @@ struct ContactComponent {
     std::vector<BodyId> bodies;   ///< ascending
     std::vector<Flight> flights;  ///< of `bodies`, as if they began at this instant
     std::vector<Touch> contacts;  ///< ascending by a, then b
+    std::vector<Touch> opened;    ///< persistent ones that have opened on the way, by more than the gap tolerance
 
     /// Position in `bodies`, or `immovable` for what is none of them.
     int index_of(BodyId body) const;

@@ -37,7 +37,8 @@ public:
     /// Components of so many bodies have not had too many, for all bodies together have not had more.
     std::size_t enough() const { return static_cast<std::size_t>(all_.count / bound_) + 1; }
 
-    /// Do these bodies have more than B events a body within the window, all added? Then all begin anew.
+    /// Do these bodies have more than B events a body within the window, all added? Then until its end each further one
+    /// is one too many.
     bool accumulates(const State& state, const EpochTime& now, std::span<const BodyId> component)
     {
         const double window = number(state, now);
@@ -47,7 +48,10 @@ public:
             if (recent.window == window) sum += recent.count;
         }
         if (!(sum > static_cast<double>(bound_) * static_cast<double>(component.size()))) return false;
-        for (const BodyId body : component) recent_[static_cast<std::size_t>(body)].window = -1;
+        for (const BodyId body : component) {
+            Recent& recent = recent_[static_cast<std::size_t>(body)];
+            recent.next = recent.count + 1;
+        }
         return true;
     }
 

@@ -71,7 +71,7 @@ public:
         impulses_.assign(component_.contacts.size(), Vec3::Zero());
         const std::vector<Flight> before = component_.flights;
         collide();
-        const std::vector<Touch> contacts = component_.contacts;
+        const std::vector<Touch> contacts = component_.contacts, opened = component_.opened;
         const double speed = std::max(speed_, largest_speed(velocities_of(component_)));
         HeldComponent held = hold(state_, std::move(component_), now_);
         for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -83,6 +83,7 @@ public:
                 impulse += held.impulses[i] * t.normal;
             report(t, impulse, held.persists[i], started);
         }
+        for (const Touch& t : opened) report(t, Vec3::Zero(), false, started);
         std::stable_partition(out_.events.begin(), out_.events.end(),
                               [](const Event& event) { return event.kind == EventKind::impact; });
         drop_what_goes_on(before, held.changes, key);
