@@ -84,18 +84,18 @@ private:
 
     Status execute(Key key)
     {
-        if (key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact)
+        if (!state_.pieces.empty() && (key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact))
             key.time = time_of_contact(state_, key, now_);
         now_ = key.time;
         show_samples_before(now_);
         if constexpr (requires { &Schedule::bounces; })
             if (schedule_.bounces(state_, horizon(), bounces_at_once(), ledger_) > 0) {
                 now_ = state_.flights[0].start;
-                Event last;
-                last.a = key.a;
-                last.b = key.b;
-                return after(key, std::array{last});
+                hit_.clear();
+                if (state_.law(key.a, key.b).restitution < 1) hit_.push_back(key.a);
+                return watch(key, hit_);
             }
+        hit_.clear();
         const Resolution resolution = resolve(state_, key, neighbourhood_);
         if (resolution.coupled) return execute_component(key);
         if (comes_to_rest(resolution.events)) return zeno(key);
@@ -105,7 +105,7 @@ private:
         for (const Change& change : resolution.changes) ledger_.show_flight(state_, change.body);
         for (const Change& changed : resolution.changes)
             schedule_.flight_changed(state_, changed.body, now_, ledger_.out.counts);
-        return after(key, resolution.events);
+        return watch(key, hit_);
     }
 
     /// An event of bodies in several contacts.
@@ -116,7 +116,7 @@ private:
         execute(resolution);
         // Not to stand still: an event without an impact counts, too.
         if (key.kind != Scheduled::piece_end && resolution.events.empty()) return watch(key, std::array{key.a, key.b});
-        return after(key, resolution.events);
+        return watch(key, hit_);
     }
 
     /// Where policy none stops.
@@ -132,17 +132,7 @@ private:
                                       state_.scene.body_name(key.b) + " accumulate: a Zeno point");
     }
 
-    /// What the events of an instant lead to: impacts may accumulate.
-    template <class Events>
-    Status after(const Key& key, const Events& events)
-    {
-        hit_.clear();
-        for (const Event& event : events)
-            if (event.kind == EventKind::impact && state_.law(event.a, event.b).restitution < 1)
-                hit_.push_back(state_.is_fixed(event.a) ? event.b : event.a);
-        return watch(key, hit_);
-    }
-
+    /// Impacts of these bodies may accumulate.
     template <class Bodies>
     Status watch(const Key& key, const Bodies& bodies)
     {
@@ -172,8 +162,10 @@ private:
 
     void report(const Event& event)
     {
-        if (event.kind == EventKind::impact && state_.law(event.a, event.b).restitution < 1)
+        if (event.kind == EventKind::impact && state_.law(event.a, event.b).restitution < 1) {
             state_.recent.add(event.a, event.b, now_);
+            hit_.push_back(state_.is_fixed(event.a) ? event.b : event.a);
+        }
         ledger_.report(state_, now_, event);
     }
 
@@ -303,6 +295,7 @@ private:
 
     State state_;
     Ledger ledger_;
+    std::vector<BodyId> hit_;  ///< one that can move for each impact of the present event that loses energy
     const RunOptions& options_;
     const Observer& observer_;
     EpochTime end_, now_;
@@ -313,7 +306,6 @@ private:
     std::size_t next_sample_ = 0;
     std::int64_t looked_at_ = 0;
     std::vector<BodyState> states_;
-    std::vector<BodyId> hit_;  ///< one that can move for each impact of the present instant
 };
 
 }  // namespace carom

@@ -183,11 +183,12 @@ private:
             if (!contact.comes) return;
             key = {exact ? pair_time(state, a, b) : contact.time, Scheduled::pair_impact, a, b};
         } else if constexpr (features.gravity) {
-            if (state.contacts.between(a, b)) return;
             const PairMotion m = pair_motion(state, moving(state, a), moving(state, b));
-            if (m.acceleration_a != m.acceleration_b && ends_before_contact(state, a, b, m)) return;
+            // Quartics are dear: first what may spare them.
+            const bool quartic = m.acceleration_a != m.acceleration_b;
+            if (quartic && (state.contacts.between(a, b) || ends_before_contact(state, a, b, m))) return;
             const Root root = pair_root(state, m);
-            if (root.kind == RootKind::none) return;
+            if (root.kind == RootKind::none || (!quartic && state.contacts.between(a, b))) return;
             key = {state.frame.after(m.from, root.t), m.swept ? Scheduled::intrusion : Scheduled::pair_impact, a, b};
         } else {
             const UniformPairMotion m = uniform_pair_motion(state, a, b);
@@ -219,10 +220,14 @@ private:
             const double v = f.velocity[axis];
             if constexpr (features.gravity) {
                 const double g = state.accelerations[f.acceleration][axis];
-                const double above = grid->above_lower_wall(state.frame, body, axis, f.place) + grid->slack(),
-                             below = grid->below_upper_wall(state.frame, body, axis, f.place) + grid->slack();
-                if (v < 0 || g < 0) keep(plane_root(above, v, g), 2 * axis);
-                if (v > 0 || g > 0) keep(plane_root(below, -v, -g), 2 * axis + 1);
+                if (v < 0 || g < 0) {
+                    const double above = grid->above_lower_wall(state.frame, body, axis, f.place);
+                    keep(plane_root(above + grid->slack(), v, g), 2 * axis);
+                }
+                if (v > 0 || g > 0) {
+                    const double below = grid->below_upper_wall(state.frame, body, axis, f.place);
+                    keep(plane_root(below + grid->slack(), -v, -g), 2 * axis + 1);
+                }
             } else {
                 if (v < 0)
                     keep(uniform_plane_root(grid->above_lower_wall(state.frame, body, axis, f.place), v), 2 * axis);
