@@ -13,6 +13,9 @@ namespace {
 
 using Bodies = std::vector<NumericBody>;
 
+/// Of a step: an opening that comes sooner is one of its beginning.
+constexpr double at_once = 1e-6;
+
 struct Geometry {
     Vec3 normal;
     double gap;        ///< [length]
@@ -138,22 +141,14 @@ double step_to_opening(const NumericCluster& cluster, const ContactForces& start
     return open;
 }
 
-/// A step to h, or to the first opening of a contact that carries. What opens within a millionth of h need not be
-/// found again and again: it is on its way, and ends with the step.
+/// A step to h, or to the first opening of a contact that carries.
 double step(const NumericCluster& cluster, const ContactForces& start, double h, RungeKutta& end)
 {
-    constexpr double at_once = 1e-6;
     std::vector<char> watched;
     for (const double force : start.forces) watched.push_back(force > 0);
-    for (std::size_t tries = 0; tries <= watched.size(); ++tries) {
-        end = runge_kutta(cluster, start, h);
-        if (!(opening(cluster, end.at_end, watched) > 0)) break;
-        const double duration = step_to_opening(cluster, start, h, watched, end);
-        if (duration > at_once * h) return duration;
-        for (std::size_t i = 0; i < watched.size(); ++i)
-            if (watched[i] && opening(cluster, end.at_end, i) > 0) watched[i] = 0;
-    }
-    return h;
+    end = runge_kutta(cluster, start, h);
+    if (!(opening(cluster, end.at_end, watched) > 0)) return h;
+    return step_to_opening(cluster, start, h, watched, end);
 }
 
 double energy(const NumericCluster& cluster, const Bodies& bodies)
@@ -199,6 +194,9 @@ NumericStep numeric_step(const NumericCluster& cluster, double h)
     RungeKutta end;
     NumericStep out;
     out.duration = step(cluster, start, h, end);
+    if (out.duration <= at_once * h)
+        for (std::size_t i = 0; i < cluster.contacts.size(); ++i)
+            if (start.forces[i] > 0 && opening(cluster, end.at_end, i) > 0) out.opened.push_back(i);
     out.integrated = end.bodies;
     const double before = energy(cluster, cluster.bodies);
     put_back(cluster, end.at_end.forces, end.bodies);

@@ -43,6 +43,9 @@ struct NumericStep {
     std::vector<Vec3> end_accelerations;    ///< by body [length/time^2]
     std::vector<double> forces;             ///< by contact, mean over the step [mass length/time^2]
     double correction = 0;                  ///< energy that putting back took [energy]
+    /// Contacts that carry and open within a millionth of h. A step from here would find them again and again: they are
+    /// to be left out, and the step to be made anew.
+    std::vector<std::size_t> opened;
 };
 /// \param h > 0 [time]. The first moment at which a contact opens is found by false position.
 NumericStep numeric_step(const NumericCluster& cluster, double h);

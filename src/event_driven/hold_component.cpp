@@ -42,7 +42,15 @@ public:
         stop_closing();
         push_apart(std::move(opens));
         bring_to_rest();
-        for (const std::vector<std::size_t>& part : parts()) go_on(part);
+        // A part of which a contact opens at once is looked at again without it, and perhaps in pieces.
+        std::vector<std::vector<std::size_t>> todo = parts();
+        while (!todo.empty()) {
+            const std::vector<std::size_t> part = std::move(todo.back());
+            todo.pop_back();
+            if (go_on(part)) continue;
+            for (std::vector<std::size_t>& piece : parts())
+                if (std::binary_search(part.begin(), part.end(), piece.front())) todo.push_back(std::move(piece));
+        }
         std::sort(out_.changes.begin(), out_.changes.end(),
                   [](const MemberChange& x, const MemberChange& y) { return x.body < y.body; });
         out_.persists = std::move(persists_);
@@ -249,7 +257,8 @@ private:
         return out;
     }
 
-    void go_on(const std::vector<std::size_t>& part)
+    /// \returns false where a contact opens at once, and then nothing is done
+    bool go_on(const std::vector<std::size_t>& part)
     {
         std::vector<std::size_t> held;
         for (std::size_t i = 0; i < count(); ++i) {
@@ -257,17 +266,24 @@ private:
             if (persists_[i] && std::binary_search(part.begin(), part.end(), static_cast<std::size_t>(a)))
                 held.push_back(i);
         }
-        if (held.empty()) return fly(part.front());
-        const Touch& first = component_.contacts[held.front()];
-        if (held.size() == 1 && state_.is_plane(first.b)) return lean(part.front(), first);
-        const bool rolls = std::any_of(held.begin(), held.end(), [&](std::size_t i) {
-            return force_[i] > 0 && turns(component_.contacts[i]);
-        });
+        const Touch* first = held.empty() ? nullptr : &component_.contacts[held.front()];
+        if (first == nullptr) {
+            fly(part.front());
+            return true;
+        }
+        if (held.size() == 1 && state_.is_plane(first->b)) {
+            lean(part.front(), *first);
+            return true;
+        }
+        // Also one that carries nothing now: its gap may open, or it may carry a moment later.
+        const bool rolls =
+            std::any_of(held.begin(), held.end(), [&](std::size_t i) { return turns(component_.contacts[i]); });
         std::vector<std::size_t> moving, staying;
         for (const std::size_t k : part) (rolls && !rests(k) ? moving : staying).push_back(k);
+        if (!moving.empty() && !integrate(moving, held)) return false;
         close_gaps(staying, held);
         for (const std::size_t k : staying) stay(k, held);
-        if (!moving.empty()) integrate(moving, held);
+        return true;
     }
 
     /// Bodies that end a numeric piece end it with the errors of its steps and, in contacts that closed within one, of
@@ -378,9 +394,11 @@ private:
     }
 
     /// \param part bodies that move; those of the component that rest carry them as if they were fixed
-    void integrate(const std::vector<std::size_t>& part, const std::vector<std::size_t>& held)
+    /// \returns false where a contact opens at once
+    bool integrate(const std::vector<std::size_t>& part, const std::vector<std::size_t>& held)
     {
         NumericPart numeric{{}, {}};
+        std::vector<std::size_t> number;  // of its contacts
         for (const std::size_t k : part) numeric.bodies.push_back({component_.bodies[k], component_.flights[k]});
         const auto moves = [&](BodyId body) {
             const int k = component_.index_of(body);
@@ -389,6 +407,7 @@ private:
         for (const std::size_t i : held) {
             const Touch& t = component_.contacts[i];
             if (!moves(t.a) && !moves(t.b)) continue;
+            number.push_back(i);
             numeric.contacts.push_back({t, force_[i], {}});
             const BodyId other = moves(t.a) ? t.b : t.a;
             if (!state_.is_plane(other) && !moves(other))
@@ -396,6 +415,14 @@ private:
                     state_.is_fixed(other) ? state_.flight(other).place : component_.flight_of(other).place;
         }
         const NumericMotion motion = numeric_motion(state_, numeric, now_, soft_);
+        if (!motion.opened.empty()) {
+            std::vector<char> opens(count(), 0);
+            for (const std::size_t n : motion.opened) opens[number[n]] = 1;
+            for (std::size_t i = 0; i < count(); ++i)
+                if (opens[i]) persists_[i] = 0;
+            push_apart(std::move(opens));
+            return false;
+        }
         for (std::size_t n = 0; n < part.size(); ++n) {
             MemberChange& change = change_of(part[n]);
             list_contacts(change, held);
@@ -408,6 +435,7 @@ private:
         out_.taken.stabilising += motion.correction;
         out_.depth = std::max(out_.depth, motion.depth);
         ++out_.numeric_steps;
+        return true;
     }
 
     static double mean_force(const NumericMotion& motion, const NumericPart& part, BodyId body, BodyId partner)

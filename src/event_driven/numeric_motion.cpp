@@ -109,6 +109,7 @@ NumericMotion numeric_motion(const State& state, const NumericPart& part, const 
     const auto step = std::make_shared<NumericStep>(numeric_step(*cluster, state.rest.numeric_step));
 
     NumericMotion out;
+    out.opened = step->opened;
     out.forces = step->forces;
     out.correction = step->correction;
     for (std::size_t k = 0; k < part.bodies.size(); ++k) {

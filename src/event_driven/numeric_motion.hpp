@@ -25,6 +25,7 @@ struct NumericMotion {
     std::vector<Vec3> accelerations;  ///< by body: of the parabola that stands for the piece [length/time^2]
     std::vector<double> forces;       ///< by contact, mean [mass length/time^2]
     double correction = 0;            ///< [energy]
+    std::vector<std::size_t> opened;  ///< see NumericStep; if there are any, the rest is of no use
     double depth = 0;                 ///< overlap of the parabolas, >= 0: where a cubic would stray most [length]
 };
 
