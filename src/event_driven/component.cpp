@@ -125,15 +125,14 @@ private:
     {
         const auto [a, b] = pair(body, other);
         if (found_.contains({a, b}) || (!state_.is_plane(other) && !may_touch(body, other))) return;
-        if (closed(a, b).gap <= state_.tie(smaller_radius(state_, a, b)) && instant_.is_that_of(a, b))
-            take(body, other);
+        if (state_.ties(a, b, closed(a, b).gap, key_.time) && instant_.is_that_of(a, b)) take(body, other);
     }
 
     /// A cheap look first: nothing beyond a generous ball can touch.
     bool may_touch(BodyId body, BodyId other)
     {
         const Flight& f = state_.flight(other);
-        if (f.mode == Mode::series || f.mode == Mode::numeric) return true;
+        if (f.mode == Mode::series) return true;
         const Flight& now = flight(body);
         const double dt = state_.frame.between(f.start, key_.time);
         const Vec3 shift = displacement(f.velocity, state_.accelerations[f.acceleration], dt);

@@ -5,6 +5,7 @@
 
 #include "event_driven/state.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -47,12 +48,15 @@ public:
             const Recent& recent = recent_[static_cast<std::size_t>(body)];
             if (recent.window == window) sum += recent.count;
         }
-        if (!(sum > static_cast<double>(bound_) * static_cast<double>(component.size()))) return false;
+        const bool is = sum > static_cast<double>(bound_) * static_cast<double>(component.size());
         for (const BodyId body : component) {
             Recent& recent = recent_[static_cast<std::size_t>(body)];
+            if (recent.window != window) continue;
             recent.next = recent.count + 1;
+            // None of them has to ask again soon.
+            if (!is) recent.next = std::max(bound_ + 1, recent.next + recent.count / 16);
         }
-        return true;
+        return is;
     }
 
 private:

@@ -38,6 +38,11 @@ public:
         next_.key = first_of_planes<true>(state, moving(state, body), counts);
     }
 
+    void flights_changed(const State& state, std::span<const BodyId> bodies, const EpochTime& now, Counts& counts)
+    {
+        for (const BodyId body : bodies) flight_changed(state, body, now, counts);
+    }
+
     /// Bounce after bounce that leaves the sphere flying, the commonest events of all, are no more than this loop. The
     /// same bits as `resolve`, which is to be asked where more is going on: another contact, a support, a plate, rest,
     /// a low bounce. \param last carry out nothing after it \param most how many \returns how many were carried out;

@@ -101,13 +101,12 @@ Root pair_root(const State& state, const PairMotion& m)
     return sphere_sphere_accelerated_root({m.r, m.v, a, m.contact_distance});
 }
 
-bool ends_before_contact(const State& state, BodyId a, BodyId b, const PairMotion& m)
+bool meet_too_late(const State& state, BodyId a, BodyId b, const PairMotion& m, EpochTime limit)
 {
-    EpochTime end = never;
     for (const BodyId body : {a, b})
-        if (state.flight(body).mode == Mode::numeric) end = std::min(end, state.pieces.at(body).end);
-    if (end == never) return false;
-    const double time = std::max(0.0, state.frame.between(m.from, end));
+        if (state.flight(body).mode == Mode::numeric) limit = std::min(limit, state.pieces.at(body).end);
+    if (limit == never) return false;
+    const double time = std::max(0.0, state.frame.between(m.from, limit));
     const Vec3 acceleration = state.accelerations[m.acceleration_a] - state.accelerations[m.acceleration_b];
     const double way = time * (length(m.v) + time / 2 * length(acceleration));
     constexpr double rounding = 1 + 1e-9;
@@ -171,12 +170,6 @@ Flight filed_path(const State& state, BodyId body, const EpochTime& now)
     f.velocity = ball.velocity + dt * state.accelerations[ball.acceleration];
     f.acceleration = ball.acceleration;
     return f;
-}
-
-BodyState state_of(const State& state, BodyId body, const EpochTime& now)
-{
-    const Flight f = advanced(state, body, now);
-    return {position_of(state.frame, f.place), f.velocity, state.flight(body).mode};
 }
 
 }  // namespace carom

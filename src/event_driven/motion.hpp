@@ -32,9 +32,9 @@ struct PairMotion {
 };
 PairMotion pair_motion(const State& state, const Moving& a, const Moving& b);
 Root pair_root(const State& state, const PairMotion& motion);
-/// Do the spheres part ways because a numeric piece of one ends before they can meet? A quick answer: false where it
-/// takes more to know.
-bool ends_before_contact(const State& state, BodyId a, BodyId b, const PairMotion& motion);
+/// Can they not meet before `limit`, or before a numeric piece of one of them ends? A quick answer: false where it takes
+/// more to know.
+bool meet_too_late(const State& state, BodyId a, BodyId b, const PairMotion& motion, EpochTime limit);
 
 /// Of a sphere above a plane, at the start of its flight.
 struct PlaneMotion {
@@ -65,7 +65,5 @@ Flight advanced(const State& state, BodyId body, const EpochTime& now);
 Flight filed_path(const State& state, BodyId body, const EpochTime& now);
 /// How far beyond its swept radius a slowed series may carry a sphere [length]; 0 at tangential factor 1.
 double slowed_reach(const Series& series);
-/// Position, velocity and mode at `now`, for observers.
-BodyState state_of(const State& state, BodyId body, const EpochTime& now);
 
 }  // namespace carom

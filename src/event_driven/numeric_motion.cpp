@@ -16,9 +16,10 @@ NumericContact numeric_contact(const State& state, const NumericPart& part, cons
                                const Place& centre)
 {
     const auto number = [&](BodyId body) {
-        for (std::size_t k = 0; k < part.bodies.size(); ++k)
-            if (part.bodies[k].id == body) return static_cast<int>(k);
-        return immovable;
+        const auto found = std::lower_bound(part.bodies.begin(), part.bodies.end(), body,
+                                            [](const NumericPart::Body& b, BodyId id) { return b.id < id; });
+        return found == part.bodies.end() || found->id != body ? immovable
+                                                               : static_cast<int>(found - part.bodies.begin());
     };
     const Touch& t = contact.touch;
     NumericContact out;

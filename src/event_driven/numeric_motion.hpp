@@ -16,7 +16,7 @@ struct NumericPart {
         double force;  ///< as the step begins [mass length/time^2]
         Place other;  ///< of the sphere that is none of the bodies, if one is
     };
-    std::vector<Body> bodies;  ///< whoever moves; what they touch and does not move takes part as if it were fixed
+    std::vector<Body> bodies;  ///< ascending; whoever moves; what they touch and does not move takes part as if it were fixed
     std::vector<Contact> contacts;
 };
 

@@ -156,8 +156,10 @@ private:
         commit(resolution);
         for (const MemberChange& change : resolution.changes)
             if (!change.rests_on) ledger_.show_flight(state_, change.body);
+        changed_.clear();
         for (const MemberChange& change : resolution.changes)
-            if (!change.rests_on) schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
+            if (!change.rests_on) changed_.push_back(change.body);
+        schedule_.flights_changed(state_, changed_, now_, ledger_.out.counts);
     }
 
     void report(const Event& event)
@@ -295,6 +297,7 @@ private:
 
     State state_;
     Ledger ledger_;
+    std::vector<BodyId> changed_;  ///< by the present event of a component
     std::vector<BodyId> hit_;  ///< one that can move for each impact of the present event that loses energy
     const RunOptions& options_;
     const Observer& observer_;

@@ -10,6 +10,7 @@
 
 #include <carom/features.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -78,6 +79,15 @@ public:
         watch_cell(state, body, now, counts);
     }
 
+    /// The same for many at once: each pair among them is examined once. \param bodies ascending
+    void flights_changed(const State& state, std::span<const BodyId> bodies, const EpochTime& now, Counts& counts)
+    {
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            examine(state, bodies[i], counts, bodies.first(i));
+            watch_cell(state, bodies[i], now, counts);
+        }
+    }
+
     /// Carry out a cell crossing: new neighbours may come before the contact known so far.
     void cross(const State& state, const Key& crossing, Counts& counts)
     {
@@ -126,8 +136,9 @@ private:
         }
     };
 
+    /// \param asked ascending; of pairs with them they have the contact already
     template <bool exact = false>
-    void examine(const State& state, BodyId body, Counts& counts)
+    void examine(const State& state, BodyId body, Counts& counts, std::span<const BodyId> asked = {})
     {
         Best best;
         if (state.flight(body).mode != Mode::fixed) {  // who never moves leaves the asking to the others
@@ -135,7 +146,9 @@ private:
                 offer_planes<exact>(state, body, best, counts);
             else
                 best.take(first_of_planes<features.gravity>(state, moving(state, body), counts), 0, false);
-            for (const BodyId other : neighbours(body)) offer<exact>(state, body, other, best, counts);
+            for (const BodyId other : neighbours(body))
+                if (asked.empty() || !std::binary_search(asked.begin(), asked.end(), other))
+                    offer<exact>(state, body, other, best, counts);
         }
         keep(static_cast<std::size_t>(body), best);
     }
@@ -186,7 +199,7 @@ private:
             const PairMotion m = pair_motion(state, moving(state, a), moving(state, b));
             // Quartics are dear: first what may spare them.
             const bool quartic = m.acceleration_a != m.acceleration_b;
-            if (quartic && (state.contacts.between(a, b) || ends_before_contact(state, a, b, m))) return;
+            if (quartic && (state.contacts.between(a, b) || meet_too_late(state, a, b, m, best.key.time))) return;
             const Root root = pair_root(state, m);
             if (root.kind == RootKind::none || (!quartic && state.contacts.between(a, b))) return;
             key = {state.frame.after(m.from, root.t), m.swept ? Scheduled::intrusion : Scheduled::pair_impact, a, b};

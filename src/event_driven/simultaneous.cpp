@@ -1,6 +1,7 @@
 #include "event_driven/simultaneous.hpp"
 
 #include "event_driven/motion.hpp"
+#include "math/length.hpp"
 #include "toi/sphere_sphere.hpp"
 
 #include <algorithm>
@@ -13,17 +14,17 @@ namespace {
 /// instant to matter.) \pre a is a sphere; flights are of this instant.
 bool closed_contact(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
 {
-    const double radius = std::min(state.radius(id_a), state.radius(id_b));
     const Vec3 r = separation(state.frame, a.place, b.place);
-    const double reach = state.radius(id_a) + state.radius(id_b) + state.tie(radius);
-    return r.squaredNorm() <= reach * reach && approach_sign(r, a.velocity - b.velocity) <= 0;
+    if (approach_sign(r, a.velocity - b.velocity) > 0) return false;
+    return state.ties(id_a, id_b, length(r) - (state.radius(id_a) + state.radius(id_b)), a.start);
 }
 
 bool closed_contact(const State& state, const Flight& a, BodyId id, int plane)
 {
     const Plane& p = state.plane(plane);
     if (!p.thickness && p.normal.dot(a.velocity) > 0) return false;  // the cheap half of the answer first
-    if (height_above(state, id, plane, a.place) > state.tie(state.radius(id))) return false;
+    const BodyId b = state.scene.plane_body(static_cast<std::size_t>(plane));
+    if (!state.ties(id, b, height_above(state, id, plane, a.place), a.start)) return false;
     return facing_normal(state, plane, a.place).dot(a.velocity) <= 0;
 }
 

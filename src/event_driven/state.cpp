@@ -26,7 +26,8 @@ State::State(const Scene& s, bool certified)
       laws(s),
       rest(rest_thresholds(s)),
       stamps(s.spheres.size(), 0),
-      recent(frame, rest.window, s.spheres.size())
+      recent(frame, rest.window, s.spheres.size()),
+      rebound_gap(s.rest.policy == RestPolicy::contact && !certified ? rest.closing_speed * rest.window / 4 : 0)
 {
     flights.reserve(s.spheres.size());
     radii.reserve(s.spheres.size());

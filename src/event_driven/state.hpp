@@ -54,6 +54,10 @@ struct State {
     std::unordered_map<BodyId, Piece> pieces;   ///< of the bodies whose mode is numeric, nobody else
     PersistentContacts contacts;                ///< of the bodies whose support is several_supports
     RecentImpacts recent;                       ///< of contacts with e < 1
+    /// v_c tau_p / 4, the height of a rebound of v_c that lasts tau_p: smaller gaps are closed as far as impacts are
+    /// concerned where a contact closed less than tau_p ago (this project; without it they close one after the other, ever
+    /// again, as Gauss and Seidel would have it). 0 where policy contact does not hold, and in certified runs [length].
+    double rebound_gap;
 
     const Sphere& sphere(BodyId body) const { return scene.spheres[static_cast<std::size_t>(body)]; }
     const Plane& plane(int p) const { return scene.planes[static_cast<std::size_t>(p)]; }
@@ -75,6 +79,13 @@ struct State {
     }
     /// Contacts with gaps up to this belong to the instant of another [length]. \param radius the smaller one
     double tie(double radius) const { return scene.impact.tie.value_or(default_tie) * radius; }
+    /// Does a contact with this gap belong to the instant `now` of another? If it closed less than tau_p ago it does up
+    /// to rebound_gap. \param a a sphere \param b another one, or a plane
+    bool ties(BodyId a, BodyId b, double gap, const EpochTime& now) const
+    {
+        if (gap <= tie(is_plane(b) ? radius(a) : std::min(radius(a), radius(b)))) return true;
+        return gap <= rebound_gap && recent.has(a, b, now);
+    }
 };
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include "math/project.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace carom {
 
@@ -121,17 +122,23 @@ private:
     std::vector<char> jammed_;
 };
 
-/// Restitution of the whole: that of the contacts which close, each by the energy m_red c^2 / 2 that it closes with.
-/// (Not by the inelastic multipliers, which need not be unique: the outcome would depend on the order of contacts.)
-double blended_restitution(const Cluster& cluster, const ProjectionProblem& problem)
+bool have_one_restitution(const Cluster& cluster)
 {
     const double first = cluster.contacts.front().restitution;
-    if (std::all_of(cluster.contacts.begin(), cluster.contacts.end(),
-                    [first](const ClusterContact& contact) { return contact.restitution == first; }))
-        return first;
+    return std::all_of(cluster.contacts.begin(), cluster.contacts.end(),
+                       [first](const ClusterContact& contact) { return contact.restitution == first; });
+}
+
+/// Restitution of the whole: that of the contacts which close and do not open when all are inelastic, each by the energy
+/// m_red c^2 / 2 that it closes with. (Not by the inelastic multipliers, which need not be unique: the outcome would
+/// depend on the order of contacts. The inelastic velocities are unique.)
+/// \param without inelastic velocities
+double blended_restitution(const Cluster& cluster, const ProjectionProblem& problem, std::span<const Vec3> without)
+{
     double sum = 0, weighted = 0;
     for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
         const HalfSpace& h = problem.half_spaces[i];
+        if (slack(h, without) > closing_tolerance / projection_tolerance * problem.tolerance) continue;
         const double closing = std::max(0.0, -slack(h, problem.start));
         const double energy = closing * closing / normal_length2(h, problem.w);
         sum += energy;
@@ -145,17 +152,21 @@ double blended_restitution(const Cluster& cluster, const ProjectionProblem& prob
 NormalImpact reflections(const Cluster& cluster, const ReflectionsOptions& options)
 {
     const ProjectionProblem problem = projection_problem(cluster);
-    const double e = blended_restitution(cluster, problem);
-    if (e == 0) return inelastic(cluster);
-    NormalImpact out = Reflections(problem).solve(options.jam_test);
+    std::optional<Projection> without;
+    if (!have_one_restitution(cluster) || cluster.contacts.front().restitution < 1) without = project(problem);
+    const double e = have_one_restitution(cluster) ? cluster.contacts.front().restitution
+                                                   : blended_restitution(cluster, problem, without->point);
+    NormalImpact out;
+    out.rounds = 1;
+    if (e > 0) out = Reflections(problem).solve(options.jam_test);
     if (e == 1 && !out.capped) return out;
-    NormalImpact without = inelastic(cluster);
-    if (out.capped) {
-        out.impulses = std::move(without.impulses);
+    if (!without) without = project(problem);
+    if (e == 0 || out.capped) {
+        out.impulses = std::move(without->multipliers);
         return out;
     }
     for (std::size_t i = 0; i < out.impulses.size(); ++i)
-        out.impulses[i] = e * out.impulses[i] + (1 - e) * without.impulses[i];
+        out.impulses[i] = e * out.impulses[i] + (1 - e) * without->multipliers[i];
     return out;
 }
 

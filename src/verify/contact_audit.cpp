@@ -26,6 +26,8 @@ ContactAudit::ContactAudit(const RunData& data, const Flights& flights, Findings
 void ContactAudit::check(InstantBodies& bodies, std::span<const Event> events)
 {
     bodies_ = &bodies;
+    several_ = std::count_if(events.begin(), events.end(),
+                             [](const Event& event) { return event.kind == EventKind::impact; }) > 1;
     for (const Event& event : events) {
         count(event);
         if (event.kind == EventKind::impact || (event.kind != EventKind::guard && event.b < data_.spheres()))
@@ -100,7 +102,10 @@ void ContactAudit::check_event(const Event& event)
     const bool precise =
         data_.run.certified && event.kind == EventKind::impact && group.impulses == 1 && !group.coupled;
     const bool numeric = a.path.mode == Mode::numeric || (b && b->path.mode == Mode::numeric);
-    const double allowed = precise ? 64 * u * std::max(at.travel, at.size) : (numeric ? 1e-2 : contact_slack) * radius;
+    double allowed = precise ? 64 * u * std::max(at.travel, at.size) : (numeric ? 1e-2 : contact_slack) * radius;
+    // Within the height of the rebounds that count as none.
+    if (event.kind == EventKind::impact && !data_.run.certified && closed_a_moment_ago(event))
+        allowed += data_.closing_speed * data_.window / 4;
     const std::string who = "sphere " + std::to_string(event.a);
     if (!(std::abs(at.gap) <= allowed))
         fail(who + " is pushed at a gap of " + figure(at.gap * data_.units.length), event.a, event.b);
@@ -162,7 +167,8 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
         return support == several_supports || (support >= 0 && group.coupled);
     };
     const bool slow = -law.restitution * w <= margin * data_.closing_speed;
-    if (data_.is_lossy && w < 0 && slow && (is_held(event.a) || is_held(event.b))) {
+    // And impacts of one instant, which contacts without an impulse may connect, share one restitution.
+    if (data_.is_lossy && w < 0 && (several_ || (slow && (is_held(event.a) || is_held(event.b))))) {
         const double measured = -impulse.dot(normal) / (mass * w * normal.squaredNorm()) - 1;
         const double within = std::clamp(measured, 0.0, law.restitution);
         if (error(within) < found) {
@@ -185,7 +191,12 @@ bool ContactAudit::may_be_inelastic(const Event& event, double closing) const
 {
     constexpr double margin = 1 + 1e-9;
     if (!data_.is_lossy) return false;
-    if (closing <= margin * data_.closing_speed) return true;
+    return closing <= margin * data_.closing_speed || closed_a_moment_ago(event);
+}
+
+bool ContactAudit::closed_a_moment_ago(const Event& event) const
+{
+    constexpr double margin = 1 + 1e-9;
     const auto last = closed_.find(pair_key(event.a, event.b));
     return last != closed_.end() && between<double>(last->second, bodies_->now()) <= margin * data_.window;
 }

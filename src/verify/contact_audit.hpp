@@ -29,6 +29,7 @@ private:
     /// \returns the restitution that the impulse has: that of the law, or 0 where contacts may be made inelastic
     double check_law(const Event& event, const Vec3& normal, const Group& group);
     bool may_be_inelastic(const Event& event, double closing) const;
+    bool closed_a_moment_ago(const Event& event) const;
     void remember(const Event& event);
     void add_up(const Before& b);
     void check_group(const Group& group, const Event* alone);
@@ -42,6 +43,7 @@ private:
     const Flights& flights_;
     Findings& findings_;
     InstantBodies* bodies_ = nullptr;
+    bool several_ = false;                                 ///< impulses at the present instant
     double restitution_ = 1;                               ///< that the last impulse examined had
     std::unordered_map<std::uint64_t, EpochTime> closed_;  ///< contacts with e < 1 that closed within tau_p
     std::size_t most_closed_ = 1024;

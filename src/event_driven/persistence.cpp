@@ -1,0 +1,277 @@
+#include "event_driven/persistence.hpp"
+
+#include "contact/equalise.hpp"
+#include "impact/contact_forces.hpp"
+#include "math/error_free.hpp"
+#include "math/length.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+double largest_speed(const ContactComponent& component)
+{
+    double largest = 0;
+    for (const Flight& f : component.flights) largest = std::max(largest, f.velocity.squaredNorm());
+    return std::sqrt(largest);
+}
+
+}  // namespace
+
+Persistence::Persistence(const State& state, ContactComponent component)
+    : state_(state),
+      component_(std::move(component)),
+      links_(cluster_of(state, component_).contacts),
+      gravity_(state.accelerations[state.accelerations.free()]),
+      slow_(std::max(1e-6 * state.rest.closing_speed, 1e-12 * largest_speed(component_))),
+      soft_(1e-9 * length(gravity_)),
+      impulses_(component_.contacts.size(), 0)
+{
+    choose_candidates();
+    find_forces();
+    std::vector<char> opens = let_open();
+    stop_closing();
+    push_apart(std::move(opens));
+    bring_to_rest();
+}
+
+bool Persistence::rests(std::size_t body) const
+{
+    return component_.flights[body].velocity.isZero(0) && acceleration_[body].isZero(0);
+}
+
+bool Persistence::turns(std::size_t contact) const
+{
+    if (state_.is_plane(component_.contacts[contact].b)) return false;
+    const Vec3& of_a = acceleration_[static_cast<std::size_t>(a(contact))];
+    const Vec3 relative =
+        b(contact) == immovable ? of_a : Vec3(of_a - acceleration_[static_cast<std::size_t>(b(contact))]);
+    return length(relative_velocity(contact)) > slow_ || length(relative) > 4 * soft_;
+}
+
+void Persistence::release(std::vector<char> opens)
+{
+    for (std::size_t i = 0; i < count(); ++i)
+        if (opens[i]) persists_[i] = 0;
+    push_apart(std::move(opens));
+}
+
+void Persistence::shift(std::size_t body, const Vec3& shift)
+{
+    Place& place = component_.flights[body].place;
+    place = moved(state_.frame, place, shift);
+}
+
+Vec3 Persistence::relative_velocity(std::size_t contact) const
+{
+    const Vec3& v = component_.flights[static_cast<std::size_t>(a(contact))].velocity;
+    return b(contact) == immovable ? v
+                                   : Vec3(v - component_.flights[static_cast<std::size_t>(b(contact))].velocity);
+}
+
+double Persistence::rate(std::size_t contact) const
+{
+    return component_.contacts[contact].normal.dot(relative_velocity(contact));
+}
+
+void Persistence::choose_candidates()
+{
+    const double most = loses_energy() ? std::max(slow_, state_.rest.closing_speed) : slow_;
+    for (std::size_t i = 0; i < count(); ++i) {
+        const Touch& t = component_.contacts[i];
+        persists_.push_back(t.gap <= persistence_gap(state_, t.a, t.b) && rate(i) <= most);
+    }
+}
+
+/// In components with some e < 1 a contact that opens slower than v_c while forces press it comes back slower than
+/// v_c, and then has no rebound: it persists at once.
+bool Persistence::loses_energy() const
+{
+    return state_.scene.rest.policy == RestPolicy::contact &&
+           std::any_of(links_.begin(), links_.end(), [](const ClusterContact& c) { return c.restitution < 1; });
+}
+
+/// What persists neither opens nor closes from here on: what is left of its speed goes.
+void Persistence::stop_closing()
+{
+    std::vector<double> wanted(count(), 0);
+    for (std::size_t i = 0; i < count(); ++i)
+        if (persists_[i]) wanted[i] = -rate(i);
+    const double before = kinetic_energy();
+    equalise(persists_, wanted);
+    energy_taken_ += before - kinetic_energy();
+}
+
+/// Gap rates of some contacts change as wanted, by impulses along their normals.
+void Persistence::equalise(const std::vector<char>& which, const std::vector<double>& wanted)
+{
+    std::vector<double> changes;
+    for (std::size_t i = 0; i < count(); ++i)
+        if (which[i]) changes.push_back(wanted[i]);
+    if (changes.empty()) return;
+    const EqualisingChange change = equalising_change(with_contacts(which), changes);
+    for (std::size_t k = 0; k < change.change.size(); ++k) component_.flights[k].velocity += change.change[k];
+    for (std::size_t i = 0, n = 0; i < count(); ++i)
+        if (which[i]) impulses_[i] += change.impulses[n++];
+}
+
+double Persistence::kinetic_energy() const
+{
+    double sum = 0;
+    for (std::size_t k = 0; k < component_.bodies.size(); ++k)
+        sum += component_.flights[k].velocity.squaredNorm() / 2 / state_.inverse_mass(component_.bodies[k]);
+    return sum;
+}
+
+/// The component with some of its contacts.
+Cluster Persistence::with_contacts(const std::vector<char>& which) const
+{
+    Cluster out;
+    for (std::size_t k = 0; k < component_.bodies.size(); ++k)
+        out.bodies.push_back({component_.flights[k].velocity, state_.inverse_mass(component_.bodies[k])});
+    for (std::size_t i = 0; i < count(); ++i)
+        if (which[i]) out.contacts.push_back(links_[i]);
+    return out;
+}
+
+void Persistence::find_forces()
+{
+    force_.assign(count(), 0);
+    opening_.assign(count(), 0);
+    acceleration_.assign(component_.bodies.size(), gravity_);
+    Cluster problem = with_contacts(persists_);
+    if (problem.contacts.empty()) return;
+    for (ClusterBody& body : problem.bodies) body.velocity = gravity_;
+    std::vector<double> curvature;
+    for (std::size_t i = 0; i < count(); ++i)
+        if (persists_[i]) curvature.push_back(turning(i));
+    const ContactForces forces = solve_contact_forces(problem, curvature, forces_before());
+    acceleration_ = forces.accelerations;
+    for (std::size_t i = 0, k = 0; i < count(); ++i) {
+        if (!persists_[i]) continue;
+        force_[i] = forces.forces[k];
+        opening_[i] = forces.gap_rates[k];
+        ++k;
+    }
+}
+
+/// Of the candidates, as they were when their bodies last changed.
+std::vector<double> Persistence::forces_before() const
+{
+    std::vector<double> out;
+    for (std::size_t i = 0; i < count(); ++i) {
+        const Touch& t = component_.contacts[i];
+        if (persists_[i]) out.push_back(state_.contacts.force(t.a, t.b));
+    }
+    return out;
+}
+
+/// |w_t|^2 / (r_a + r_b), 0 at planes.
+double Persistence::turning(std::size_t contact) const
+{
+    const Touch& t = component_.contacts[contact];
+    if (state_.is_plane(t.b)) return 0;
+    const Vec3 w = relative_velocity(contact);
+    return (w - w.dot(t.normal) * t.normal).squaredNorm() / (state_.radius(t.a) + state_.radius(t.b));
+}
+
+/// \returns by contact: it opens, from speed 0
+std::vector<char> Persistence::let_open()
+{
+    std::vector<char> opens(count(), 0);
+    for (std::size_t i = 0; i < count(); ++i) {
+        if (!persists_[i] || force_[i] > 0) continue;
+        const bool opens_already = rate(i) > slow_;
+        opens[i] = !opens_already && opening_[i] > std::max(soft_, softest(component_.contacts[i]));
+        if (opens[i] || opens_already) persists_[i] = false;
+    }
+    return opens;
+}
+
+/// Without gravity: what opens a contact by less than its tolerance until the end of the run.
+double Persistence::softest(const Touch& t) const
+{
+    const double time = state_.scene.end_time;
+    return length(gravity_) > 0 ? 0 : persistence_gap(state_, t.a, t.b) / time / time;
+}
+
+/// Contacts open from speed 0; by rounding that must not look like closing to those who predict.
+void Persistence::push_apart(std::vector<char> opens)
+{
+    constexpr int most_pushes = 40;
+    double margin = 16 * unit_roundoff * std::max(largest_speed(component_), slow_);
+    const double enough = margin / 2;
+    std::vector<char> moved(count(), 0);
+    for (int n = 0; n < most_pushes && margin <= std::max(slow_, 4 * enough); ++n, margin *= 2) {
+        bool all_open = true;
+        std::vector<double> wanted(count(), 0);
+        for (std::size_t i = 0; i < count(); ++i) {
+            const double c = rate(i);
+            if (!persists_[i] && c < 0) opens[i] = 1;  // what was done to others has made it close again
+            moved[i] = opens[i] || persists_[i];
+            if (!moved[i]) continue;
+            wanted[i] = opens[i] ? std::max(margin - c, 0.0) : -c;
+            if (opens[i] && !(c > enough)) all_open = false;
+        }
+        if (all_open) return;
+        equalise(moved, wanted);
+    }
+}
+
+/// Speeds and accelerations that are no more than what solving leaves of 0, where contacts hold a body.
+void Persistence::bring_to_rest()
+{
+    std::vector<char> is_held(component_.bodies.size(), 0);
+    for (std::size_t i = 0; i < count(); ++i) {
+        if (!persists_[i]) continue;
+        is_held[static_cast<std::size_t>(a(i))] = 1;
+        if (b(i) != immovable) is_held[static_cast<std::size_t>(b(i))] = 1;
+    }
+    for (std::size_t k = 0; k < component_.bodies.size(); ++k) {
+        if (!is_held[k]) continue;
+        Vec3 &v = component_.flights[k].velocity, &acceleration = acceleration_[k];
+        if (length(acceleration) <= soft_) acceleration = Vec3::Zero();
+        if (acceleration.isZero(0) && length(v) <= slow_) v = Vec3::Zero();
+    }
+}
+
+std::vector<std::vector<std::size_t>> Persistence::parts() const
+{
+    const std::size_t n = component_.bodies.size();
+    std::vector<std::size_t> smallest(n);
+    for (std::size_t k = 0; k < n; ++k) smallest[k] = k;
+    const auto root = [&](std::size_t k) {
+        while (smallest[k] != k) k = smallest[k] = smallest[smallest[k]];
+        return k;
+    };
+    for (std::size_t i = 0; i < count(); ++i) {
+        if (!persists_[i] || b(i) == immovable) continue;
+        const std::size_t x = root(static_cast<std::size_t>(a(i))), y = root(static_cast<std::size_t>(b(i)));
+        smallest[std::max(x, y)] = std::min(x, y);
+    }
+    std::vector<std::vector<std::size_t>> out, by_root(n);
+    for (std::size_t k = 0; k < n; ++k) by_root[root(k)].push_back(k);
+    for (auto& part : by_root)
+        if (!part.empty()) out.push_back(std::move(part));
+    return out;
+}
+
+std::vector<std::vector<std::size_t>> Persistence::contacts_of(
+    const std::vector<std::vector<std::size_t>>& parts) const
+{
+    constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> part_of(component_.bodies.size(), none);
+    for (std::size_t p = 0; p < parts.size(); ++p)
+        for (const std::size_t k : parts[p]) part_of[k] = p;
+    std::vector<std::vector<std::size_t>> out(parts.size());
+    for (std::size_t i = 0; i < count(); ++i) {
+        const std::size_t p = part_of[static_cast<std::size_t>(a(i))];
+        if (persists_[i] && p != none) out[p].push_back(i);
+    }
+    return out;
+}
+
+}  // namespace carom

@@ -1,0 +1,75 @@
+/// \file
+/// Which contacts of a component persist once its impacts are over, what they carry, and what takes the speed that is
+/// left in them.
+#pragma once
+
+#include "event_driven/component.hpp"
+
+namespace carom {
+
+class Persistence {
+public:
+    /// \param component flights with the velocities after impacts
+    Persistence(const State& state, ContactComponent component);
+
+    const ContactComponent& component() const { return component_; }
+    bool persists(std::size_t contact) const { return persists_[contact]; }
+    /// Bodies that persistent contacts connect, as positions in `bodies`, ascending.
+    std::vector<std::vector<std::size_t>> parts() const;
+    /// By part, persistent contacts of its bodies. \param parts all of them, or some
+    std::vector<std::vector<std::size_t>> contacts_of(const std::vector<std::vector<std::size_t>>& parts) const;
+
+    /// Positions of a contact's spheres in `bodies`; `immovable` for b where it is none of them.
+    int a(std::size_t contact) const { return links_[contact].a; }
+    int b(std::size_t contact) const { return links_[contact].b; }
+    double force(std::size_t contact) const { return force_[contact]; }              ///< [mass length/time^2]
+    const Vec3& acceleration(std::size_t body) const { return acceleration_[body]; }  ///< [length/time^2]
+    bool rests(std::size_t body) const;
+    /// Does the normal turn? Then what the contact carries has no closed form.
+    bool turns(std::size_t contact) const;
+    double soft() const { return soft_; }  ///< accelerations up to this are 0 [length/time^2]
+
+    /// These persist no more and open from here on. \param opens by contact
+    void release(std::vector<char> opens);
+    /// A body is elsewhere. \param shift [length]
+    void shift(std::size_t body, const Vec3& shift);
+
+    /// By contact, along the normal on its `a`: what took the speed of slow contacts. Below 0 where one that opened
+    /// slowly was held [mass length/time].
+    const std::vector<double>& impulses() const { return impulses_; }
+    double energy_taken() const { return energy_taken_; }  ///< [energy]
+
+private:
+    std::size_t count() const { return component_.contacts.size(); }
+    Vec3 relative_velocity(std::size_t contact) const;
+    double rate(std::size_t contact) const;
+    double turning(std::size_t contact) const;
+    bool loses_energy() const;
+    double softest(const Touch& t) const;
+    double kinetic_energy() const;
+    Cluster with_contacts(const std::vector<char>& which) const;
+    std::vector<double> forces_before() const;
+
+    void choose_candidates();
+    void find_forces();
+    std::vector<char> let_open();
+    void stop_closing();
+    void equalise(const std::vector<char>& which, const std::vector<double>& wanted);
+    void push_apart(std::vector<char> opens);
+    void bring_to_rest();
+
+    const State& state_;
+    ContactComponent component_;
+    const std::vector<ClusterContact> links_;  ///< the contacts as clusters have them
+    const Vec3 gravity_;
+    const double slow_;               ///< contacts no faster than this neither open nor close [length/time]
+    const double soft_;
+    std::vector<char> persists_;      ///< by contact
+    std::vector<double> force_;       ///< by contact
+    std::vector<double> opening_;     ///< by contact, d2 gap / dt2 [length/time^2]
+    std::vector<Vec3> acceleration_;  ///< by body
+    std::vector<double> impulses_;
+    double energy_taken_ = 0;
+};
+
+}  // namespace carom
