@@ -1,6 +1,6 @@
 /// \file
 /// More impacts of one body within one window than any number of separate contacts explains are a Zeno point that
-/// nobody sums. (The bound B n / h of the design: B a body.)
+/// nobody sums. (The bound of the design, B n / h of a component of n bodies; windows of h follow one another.)
 #pragma once
 
 #include "event_driven/state.hpp"
@@ -20,8 +20,8 @@ public:
     {
     }
 
-    /// Count an event of `body`, each event for one of its bodies; true when it is time to ask whether there are too
-    /// many of its component: beyond B, and when they have grown by a sixteenth since.
+    /// Count an event of `body`, each event for one of its bodies; true when its component may have had too many, and it
+    /// is time to ask: beyond B, then when it has used up its share of what the last answer left.
     bool add(const State& state, const EpochTime& now, BodyId body)
     {
         if (!(length_ > 0)) return false;
@@ -30,16 +30,14 @@ public:
         if (window != all_.window) all_ = {window, 0, 0};
         ++all_.count;
         if (recent.window != window) recent = {window, 0, bound_ + 1};
-        if (++recent.count < recent.next) return false;
-        recent.next = recent.count + 1 + recent.count / 16;
-        return true;
+        return ++recent.count >= recent.next;
     }
 
     /// Components of so many bodies have not had too many, for all bodies together have not had more.
     std::size_t enough() const { return static_cast<std::size_t>(all_.count / bound_) + 1; }
 
     /// Do these bodies have more than B events a body within the window, all added? Then until its end each further one
-    /// is one too many.
+    /// is one too many. \pre add has just asked for one of them
     bool accumulates(const State& state, const EpochTime& now, std::span<const BodyId> component)
     {
         const double window = number(state, now);
@@ -48,15 +46,13 @@ public:
             const Recent& recent = recent_[static_cast<std::size_t>(body)];
             if (recent.window == window) sum += recent.count;
         }
-        const bool is = sum > static_cast<double>(bound_) * static_cast<double>(component.size());
+        const double left = bound_ - sum / static_cast<double>(component.size());  // for each of them
         for (const BodyId body : component) {
             Recent& recent = recent_[static_cast<std::size_t>(body)];
-            if (recent.window != window) continue;
-            recent.next = recent.count + 1;
-            // None of them has to ask again soon.
-            if (!is) recent.next = std::max(bound_ + 1, recent.next + recent.count / 16);
+            if (recent.window != window) recent = {window, 0, 0};
+            recent.next = recent.count + 1 + std::max(0, static_cast<int>(left));
         }
-        return is;
+        return left < 0;
     }
 
 private:

@@ -32,6 +32,8 @@ void Tally::add(std::uint64_t index, const std::string& kind, const Trial& t)
     Share& of_kind = kinds_[kind];
     ++of_kind.all;
     if (t.ended && t.status == Status::reached_end) ++of_kind.reached;
+    of_kind.bodies += t.closed_form + t.numeric + t.guarded;
+    of_kind.numeric += t.numeric;
     ++statuses_[t.ended ? name(t.status) : "crashed or hung"];
     no_status_ += t.ended ? 0 : 1;
     lost_ += t.lost;
@@ -58,8 +60,10 @@ std::string Tally::table(double seconds) const
                             seconds, cpu_, slowest_.value, static_cast<unsigned long long>(slowest_.index));
     for (const auto& [status, count] : statuses_)
         text += line("  %-16s %6lld  %6.2f %%\n", status.c_str(), count, 100 * share(static_cast<double>(count), all));
-    text += "reached_end by kind\n";
-    for (const auto& [kind, s] : kinds_) text += line("  %-16s %6lld of %lld\n", kind.c_str(), s.reached, s.all);
+    text += "by kind          reached_end       numeric of all body-seconds\n";
+    for (const auto& [kind, s] : kinds_)
+        text += line("  %-16s %6lld of %-6lld %6.2f %%\n", kind.c_str(), s.reached, s.all,
+                     100 * share(s.numeric, s.bodies));
     text += line(
         "impacts %lld, in clusters at %lld instants, rests %lld, releases %lld, guarded windows %lld, numeric steps "
         "%lld\n",

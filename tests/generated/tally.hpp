@@ -30,6 +30,7 @@ private:
     };
     struct Share {
         long long all = 0, reached = 0;
+        double bodies = 0, numeric = 0;  ///< body-seconds
     };
 
     long long all_ = 0, lost_ = 0, deeper_ = 0, no_status_ = 0;
