@@ -1,5 +1,6 @@
 #include "event_driven/component.hpp"
 
+#include "event_driven/may_touch.hpp"
 #include "event_driven/motion.hpp"
 #include "event_driven/piece.hpp"
 #include "event_driven/simultaneous.hpp"
@@ -116,29 +117,19 @@ private:
         }
         if (!ties_) return;
         for (std::size_t p = 0; p < state_.scene.planes.size(); ++p) take_tie(body, state_.scene.plane_body(p));
-        const auto near = neighbourhood_(body);
-        const std::vector<BodyId> others(near.begin(), near.end());
-        for (const BodyId other : others) take_tie(body, other);
+        near_.clear();
+        const Flight& now = flight(body);
+        const double margin = std::max(state_.rebound_gap, state_.tie(state_.radius(body)));
+        for (const BodyId other : neighbourhood_(body))
+            if (may_touch(state_, body, now, other, margin)) near_.push_back(other);
+        for (const BodyId other : near_) take_tie(body, other);
     }
 
     void take_tie(BodyId body, BodyId other)
     {
         const auto [a, b] = pair(body, other);
-        if (found_.contains({a, b}) || (!state_.is_plane(other) && !may_touch(body, other))) return;
+        if (found_.contains({a, b})) return;
         if (state_.ties(a, b, closed(a, b).gap, key_.time) && instant_.is_that_of(a, b)) take(body, other);
-    }
-
-    /// A cheap look first: nothing beyond a generous ball can touch.
-    bool may_touch(BodyId body, BodyId other)
-    {
-        const Flight& f = state_.flight(other);
-        if (f.mode == Mode::series) return true;
-        const Flight& now = flight(body);
-        const double dt = state_.frame.between(f.start, key_.time);
-        const Vec3 shift = displacement(f.velocity, state_.accelerations[f.acceleration], dt);
-        const Vec3 r = separation(state_.frame, now.place, f.place) - shift;
-        const double reach = state_.radius(body) + state_.radius(other);
-        return r.squaredNorm() <= 1.0001 * reach * reach;
     }
 
     struct PairHash {
@@ -159,7 +150,7 @@ private:
     std::unordered_map<BodyId, Flight> others_;
     std::unordered_set<Pair, PairHash> found_;
     std::map<Pair, Touch> opened_;
-    std::vector<BodyId> frontier_;
+    std::vector<BodyId> frontier_, near_;
 };
 
 /// Every contact that the scene declares.

@@ -1,5 +1,6 @@
 #include "event_driven/guard.hpp"
 
+#include "event_driven/may_touch.hpp"
 #include "event_driven/motion.hpp"
 #include "event_driven/piece.hpp"
 #include "impact/contact_forces.hpp"
@@ -64,8 +65,8 @@ private:
                 if (may_close(t, own.velocity + length_ * gravity_, near * state_.radius(body)))
                     component_.contacts.push_back(t);
             }
-            const auto span = neighbourhood_(body);
-            for (const BodyId other : std::vector<BodyId>(span.begin(), span.end())) {
+            for (const BodyId other : neighbourhood_(body)) {
+                if (!may_touch(state_, body, own, other, near * state_.radius(body))) continue;
                 const auto pair = std::minmax(body, other);
                 if (found.contains(pair)) continue;
                 const Flight its = moment_.flight(other);

@@ -1,5 +1,6 @@
 #include "event_driven/simultaneous.hpp"
 
+#include "event_driven/may_touch.hpp"
 #include "event_driven/motion.hpp"
 #include "math/length.hpp"
 #include "toi/sphere_sphere.hpp"
@@ -60,15 +61,10 @@ bool other_closed(const State& state, const Instant& instant, const Flight& now,
             instant.is_that_of(body, plane))
             return true;
     }
+    const double margin = std::max(state.rebound_gap, state.tie(state.radius(body)));
     for (const BodyId other : neighbourhood(body)) {
         if (other == partner) continue;
-        const Flight& f = state.flight(other);
-        // A cheap look first: nothing beyond a generous ball can touch.
-        const double dt = state.frame.between(f.start, now.start);
-        const Vec3 shift = displacement(f.velocity, state.accelerations[f.acceleration], dt);
-        const Vec3 r = separation(state.frame, now.place, f.place) - shift;
-        const double reach = state.radius(body) + state.radius(other);
-        if (f.mode != Mode::series && r.squaredNorm() > 1.0001 * reach * reach) continue;
+        if (!may_touch(state, body, now, other, margin)) continue;
         if (closed_contact(state, now, body, advanced(state, other, now.start), other) &&
             instant.is_that_of(body, other))
             return true;

@@ -96,6 +96,7 @@ TEST_CASE("a trial tells a run that is fine from others")
     Scene scene = empty_scene(2, earth, 0.5);
     add_floor(scene);
     add_sphere(scene, 0.1, {0, 0, 1.1});
+    add_sphere(scene, 0.1, {0, 0, 1.3001});  // hits it on its way up, within a window
     const Trial fine = run_trial(scene, 10);
     CHECK(complaint(fine).empty());
     CHECK(fine.counts.impacts > 1);
