@@ -7,10 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 
 namespace {
+
+constexpr double any_speed = std::numeric_limits<double>::infinity();
+constexpr int many_pushes = 40;
 
 double largest_speed(const ContactComponent& component)
 {
@@ -28,14 +32,20 @@ Persistence::Persistence(const State& state, ContactComponent component)
       gravity_(state.accelerations[state.accelerations.free()]),
       slow_(std::max(1e-6 * state.rest.closing_speed, 1e-12 * largest_speed(component_))),
       soft_(1e-9 * length(gravity_)),
+      released_(component_.contacts.size(), 0),
       impulses_(component_.contacts.size(), 0)
 {
     choose_candidates();
     find_forces();
-    std::vector<char> opens = let_open();
-    stop_closing();
-    push_apart(std::move(opens));
-    bring_to_rest();
+    std::vector<char> opens(count(), 0);
+    let_open(opens);
+    if (stop_closing()) {  // normals turn at other rates now
+        find_forces();
+        let_open(opens);
+    }
+    push_apart(opens, std::vector<char>(component_.bodies.size(), 0), any_speed, many_pushes);
+    if (bring_to_rest()) push_from_rest(opens);
+    hold_jammed();
 }
 
 bool Persistence::rests(std::size_t body) const
@@ -54,9 +64,14 @@ bool Persistence::turns(std::size_t contact) const
 
 void Persistence::release(std::vector<char> opens)
 {
-    for (std::size_t i = 0; i < count(); ++i)
-        if (opens[i]) persists_[i] = 0;
-    push_apart(std::move(opens));
+    for (std::size_t i = 0; i < count(); ++i) {
+        if (!opens[i]) continue;
+        persists_[i] = 0;
+        released_[i] = 1;
+    }
+    push_apart(opens, std::vector<char>(component_.bodies.size(), 0), any_speed, many_pushes);
+    push_from_rest(opens);
+    hold_jammed();
 }
 
 void Persistence::shift(std::size_t body, const Vec3& shift)
@@ -95,27 +110,55 @@ bool Persistence::loses_energy() const
 }
 
 /// What persists neither opens nor closes from here on: what is left of its speed goes.
-void Persistence::stop_closing()
+/// \returns whether there was any
+bool Persistence::stop_closing()
 {
     std::vector<double> wanted(count(), 0);
-    for (std::size_t i = 0; i < count(); ++i)
-        if (persists_[i]) wanted[i] = -rate(i);
+    bool some = false;
+    for (std::size_t i = 0; i < count(); ++i) {
+        if (!persists_[i]) continue;
+        wanted[i] = -rate(i);
+        some = some || std::abs(wanted[i]) > slow_;
+    }
     const double before = kinetic_energy();
-    equalise(persists_, wanted);
+    equalise(persists_, wanted, std::vector<char>(component_.bodies.size(), 0));
     energy_taken_ += before - kinetic_energy();
+    return some;
 }
 
-/// Gap rates of some contacts change as wanted, by impulses along their normals.
-void Persistence::equalise(const std::vector<char>& which, const std::vector<double>& wanted)
+/// Gap rates of some contacts change as wanted, by impulses along their normals. \param still bodies that are to stay
+/// as they are
+void Persistence::equalise(const std::vector<char>& which, const std::vector<double>& wanted,
+                           const std::vector<char>& still)
 {
+    Cluster cluster;
+    std::vector<std::size_t> bodies, contacts;
+    std::vector<int> number(component_.bodies.size(), immovable);
+    for (std::size_t k = 0; k < still.size(); ++k) {
+        if (still[k]) continue;
+        number[k] = static_cast<int>(bodies.size());
+        bodies.push_back(k);
+        cluster.bodies.push_back({component_.flights[k].velocity, state_.inverse_mass(component_.bodies[k])});
+    }
     std::vector<double> changes;
-    for (std::size_t i = 0; i < count(); ++i)
-        if (which[i]) changes.push_back(wanted[i]);
+    for (std::size_t i = 0; i < count(); ++i) {
+        if (!which[i]) continue;
+        ClusterContact c = links_[i];
+        c.a = number[static_cast<std::size_t>(c.a)];
+        c.b = c.b == immovable ? immovable : number[static_cast<std::size_t>(c.b)];
+        if (c.a == immovable) {
+            std::swap(c.a, c.b);
+            c.normal = -c.normal;
+        }
+        if (c.a == immovable) continue;
+        cluster.contacts.push_back(c);
+        contacts.push_back(i);
+        changes.push_back(wanted[i]);
+    }
     if (changes.empty()) return;
-    const EqualisingChange change = equalising_change(with_contacts(which), changes);
-    for (std::size_t k = 0; k < change.change.size(); ++k) component_.flights[k].velocity += change.change[k];
-    for (std::size_t i = 0, n = 0; i < count(); ++i)
-        if (which[i]) impulses_[i] += change.impulses[n++];
+    const EqualisingChange change = equalising_change(cluster, changes);
+    for (std::size_t n = 0; n < bodies.size(); ++n) component_.flights[bodies[n]].velocity += change.change[n];
+    for (std::size_t n = 0; n < contacts.size(); ++n) impulses_[contacts[n]] += change.impulses[n];
 }
 
 double Persistence::kinetic_energy() const
@@ -178,17 +221,15 @@ double Persistence::turning(std::size_t contact) const
     return (w - w.dot(t.normal) * t.normal).squaredNorm() / (state_.radius(t.a) + state_.radius(t.b));
 }
 
-/// \returns by contact: it opens, from speed 0
-std::vector<char> Persistence::let_open()
+/// \param opens by contact: it opens, from speed 0
+void Persistence::let_open(std::vector<char>& opens)
 {
-    std::vector<char> opens(count(), 0);
     for (std::size_t i = 0; i < count(); ++i) {
         if (!persists_[i] || force_[i] > 0) continue;
         const bool opens_already = rate(i) > slow_;
         opens[i] = !opens_already && opening_[i] > std::max(soft_, softest(component_.contacts[i]));
         if (opens[i] || opens_already) persists_[i] = false;
     }
-    return opens;
 }
 
 /// Without gravity: what opens a contact by less than its tolerance until the end of the run.
@@ -198,10 +239,34 @@ double Persistence::softest(const Touch& t) const
     return length(gravity_) > 0 ? 0 : persistence_gap(state_, t.a, t.b) / time / time;
 }
 
-/// Contacts open from speed 0; by rounding that must not look like closing to those who predict.
-void Persistence::push_apart(std::vector<char> opens)
+/// What was rounding in the speeds of those that rest now may have opened a contact that by rounding closes without it.
+void Persistence::push_from_rest(std::vector<char>& opens)
 {
-    constexpr int most_pushes = 40;
+    std::vector<char> still;
+    for (std::size_t k = 0; k < component_.bodies.size(); ++k) still.push_back(rests(k));
+    const auto is_still = [&](int k) { return k == immovable || still[static_cast<std::size_t>(k)]; };
+    for (std::size_t i = 0; i < count(); ++i)
+        opens[i] = opens[i] && rate(i) >= -2 * slow_ && !(is_still(a(i)) && is_still(b(i)));
+    constexpr int few = 3;
+    push_apart(opens, still, 2 * slow_, few);
+}
+
+/// A closed contact that nothing could open, because its bodies are jammed: it persists, though it carries nothing. (If it
+/// were left alone it would close at this very instant, again and again.)
+void Persistence::hold_jammed()
+{
+    for (std::size_t i = 0; i < count(); ++i) {
+        const Touch& t = component_.contacts[i];
+        const double c = rate(i);
+        if (!persists_[i] && !released_[i] && c < 0 && c >= -slow_ && t.gap <= persistence_gap(state_, t.a, t.b))
+            persists_[i] = 1;
+    }
+}
+
+/// Contacts open from speed 0; by rounding that must not look like closing to those who predict.
+/// \param still bodies that stay as they are \param most faster closings are left to impacts [length/time]
+void Persistence::push_apart(std::vector<char>& opens, const std::vector<char>& still, double most, int most_pushes)
+{
     double margin = 16 * unit_roundoff * std::max(largest_speed(component_), slow_);
     const double enough = margin / 2;
     std::vector<char> moved(count(), 0);
@@ -210,20 +275,22 @@ void Persistence::push_apart(std::vector<char> opens)
         std::vector<double> wanted(count(), 0);
         for (std::size_t i = 0; i < count(); ++i) {
             const double c = rate(i);
-            if (!persists_[i] && c < 0) opens[i] = 1;  // what was done to others has made it close again
+            if (!persists_[i] && c < 0 && c >= -most) opens[i] = 1;  // what was done to others has made it close again
             moved[i] = opens[i] || persists_[i];
             if (!moved[i]) continue;
             wanted[i] = opens[i] ? std::max(margin - c, 0.0) : -c;
             if (opens[i] && !(c > enough)) all_open = false;
         }
         if (all_open) return;
-        equalise(moved, wanted);
+        equalise(moved, wanted, still);
     }
 }
 
 /// Speeds and accelerations that are no more than what solving leaves of 0, where contacts hold a body.
-void Persistence::bring_to_rest()
+/// \returns whether somebody was
+bool Persistence::bring_to_rest()
 {
+    bool some = false;
     std::vector<char> is_held(component_.bodies.size(), 0);
     for (std::size_t i = 0; i < count(); ++i) {
         if (!persists_[i]) continue;
@@ -234,8 +301,11 @@ void Persistence::bring_to_rest()
         if (!is_held[k]) continue;
         Vec3 &v = component_.flights[k].velocity, &acceleration = acceleration_[k];
         if (length(acceleration) <= soft_) acceleration = Vec3::Zero();
-        if (acceleration.isZero(0) && length(v) <= slow_) v = Vec3::Zero();
+        if (!acceleration.isZero(0) || v.isZero(0) || !(length(v) <= slow_)) continue;
+        v = Vec3::Zero();
+        some = true;
     }
+    return some;
 }
 
 std::vector<std::vector<std::size_t>> Persistence::parts() const

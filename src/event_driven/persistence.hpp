@@ -52,11 +52,14 @@ private:
 
     void choose_candidates();
     void find_forces();
-    std::vector<char> let_open();
-    void stop_closing();
-    void equalise(const std::vector<char>& which, const std::vector<double>& wanted);
-    void push_apart(std::vector<char> opens);
-    void bring_to_rest();
+    void let_open(std::vector<char>& opens);
+    bool stop_closing();
+    void equalise(const std::vector<char>& which, const std::vector<double>& wanted, const std::vector<char>& still);
+    void push_apart(std::vector<char>& opens, const std::vector<char>& still, double most,
+                    int most_pushes);
+    void push_from_rest(std::vector<char>& opens);
+    bool bring_to_rest();
+    void hold_jammed();
 
     const State& state_;
     ContactComponent component_;
@@ -68,6 +71,7 @@ private:
     std::vector<double> force_;       ///< by contact
     std::vector<double> opening_;     ///< by contact, d2 gap / dt2 [length/time^2]
     std::vector<Vec3> acceleration_;  ///< by body
+    std::vector<char> released_;      ///< by contact: see release()
     std::vector<double> impulses_;
     double energy_taken_ = 0;
 };

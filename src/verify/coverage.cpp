@@ -98,15 +98,16 @@ void Coverage::check_support(BodyId body, const EpochTime& now)
     const double pull = data_.gravity.norm(), enough = 1e-8 * pull;
     if (push.norm() <= enough) return;
     std::vector<Vec3> normals;
-    const auto add = [&](const Vec3& r, double sum, double smaller, double size) {
+    const auto add = [&](const Vec3& r, double sum, double gap, double size) {
         const double distance = r.norm();
-        if (distance - sum <= 2 * contact_slack * smaller + 64 * u * size) normals.push_back(r / distance);
+        if (distance - sum <= gap + 64 * u * size) normals.push_back(r / distance);
     };
     visit(body, now, now, [&](BodyId other) {
         const Path theirs = flights_.path(other);
         const Relative<double> r = relative<double>(path, acceleration, theirs, data_.acceleration(theirs), now);
         const double ra = data_.radius(body), rb = data_.radius(other);
-        add(rounded(r.r), ra + rb, std::min(ra, rb), r.r_error.sum() / rounding<double>);
+        const double slack = theirs.mode == Mode::numeric ? deepest_numeric : 2 * contact_slack;
+        add(rounded(r.r), ra + rb, slack * std::min(ra, rb), r.r_error.sum() / rounding<double>);
     });
     for (int p = 0; p < data_.planes(); ++p) {
         const Wall& wall = data_.wall(p);

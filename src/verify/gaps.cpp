@@ -9,7 +9,7 @@ namespace {
 /// Of the promise for runs in doubles: 16 eps.
 constexpr double promised = 16 * 2 * u;
 /// Deeper than so many radii what no closed form gives is no error of a step any more.
-constexpr double deepest_numeric = 1e-2, deepest_guarded = 0.5;
+constexpr double deepest_guarded = 0.5;
 
 /// Gaps::past_
 constexpr std::uint8_t left_by_contacts = 1, left_by_numeric = 2;
