@@ -1,5 +1,7 @@
 /// Several contacts at once in the engine: what belongs to one instant, and that no broad phase changes it. What their
 /// impacts and forces give is asked in tests/scenario.
+#include "event_driven/state.hpp"
+#include "support/random.hpp"
 #include "support/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -176,6 +178,54 @@ TEST_CASE("a sphere that slides to rest at a second plane rests on both")
     CHECK(outcome.final[0].mode == Mode::resting);
     CHECK(outcome.final[0].position.x() == Approx(1.5).epsilon(1e-15));
     CHECK(*outcome.rest_times[0] == 0);
+}
+
+TEST_CASE("a contact that closed a moment ago belongs to the instant of another while it is hardly open")
+{
+    Scene scene = empty_scene(1, earth, 0.5);
+    for (const double x : {0.0, 0.3, 0.6}) add_sphere(scene, 0.1, {x, 0, 1});
+    State state(scene);
+    const double height = state.rest.closing_speed * state.rest.closing_speed / (2 * 9.81);
+    CHECK(state.rebound_gap == Approx(height));
+    const auto at = [&](double t) { return state.frame.after({}, t); };
+    state.recent.add(0, 1, at(0.5));
+    const EpochTime soon = at(0.5 + state.rest.window / 2), later = at(0.5 + 2 * state.rest.window);
+    CHECK(state.ties(0, 1, 0.9 * height, soon));
+    CHECK(state.ties(1, 0, 0.9 * height, soon));
+    CHECK_FALSE(state.ties(0, 1, 1.1 * height, soon));
+    CHECK_FALSE(state.ties(0, 1, 0.9 * height, later));
+    CHECK_FALSE(state.ties(1, 2, 0.9 * height, soon));
+    CHECK(state.ties(1, 2, 0.5e-12 * 0.1, soon));
+    CHECK(State(scene, true).rebound_gap == 0);
+    scene.rest.policy = RestPolicy::micro;
+    CHECK(State(scene).rebound_gap == 0);
+}
+
+TEST_CASE("what has rolled and comes to rest touches, within the gap tolerance")
+{
+    Scene scene = empty_scene(3, earth, 0.3);
+    add_floor(scene);
+    for (const double side : {0.0, 0.18})
+        for (const int axis : {0, 1}) {
+            const double sign = side > 0 ? -1 : 1;
+            add_plane(scene, "wall " + std::to_string(scene.planes.size()), sign * Vec3::Unit(axis), sign * side);
+        }
+    Random random(3);
+    for (int k = 0; k < 10; ++k)
+        add_sphere(scene, random.uniform(0.028, 0.034),
+                   {random.uniform(0.04, 0.14), random.uniform(0.04, 0.14), 0.05 + 0.08 * k});
+    const Outcome outcome = require_resolved(scene);
+    CHECK(outcome.counts.numeric_steps > 100);
+    double worst = 0;
+    for (std::size_t i = 0; i < 10; ++i) {
+        CHECK(outcome.final[i].mode == Mode::resting);
+        for (std::size_t j = 0; j < i; ++j) {
+            const double gap = (outcome.final[i].position - outcome.final[j].position).norm() -
+                               scene.spheres[i].radius - scene.spheres[j].radius;
+            if (std::abs(gap) < 1e-6) worst = std::max(worst, std::abs(gap));
+        }
+    }
+    CHECK(worst < 2e-9 * 0.028);
 }
 
 TEST_CASE("a heap settles: nothing is lost, nothing sinks, energy does not grow")

@@ -126,6 +126,17 @@ TEST_CASE("Restitution of a mixture lies between those of its contacts, weighted
     CHECK((resolve(cluster).velocities[0] - Vec3(0, 0.5, 0)).norm() < rounding);
 }
 
+TEST_CASE("A contact that the impact of another opens has no part in its restitution")
+{
+    // The second closes slowly on the third; the first, by then, throws it back.
+    Cluster cluster;
+    cluster.bodies = {{Vec3(-1, 0, 0), 1}, {Vec3(0.01, 0, 0), 1}, {Vec3::Zero(), 1}};
+    cluster.contacts = {{1, 0, Vec3(-1, 0, 0), 0.5, 1}, {2, 1, Vec3(1, 0, 0), 0, 1}};
+    const ClusterImpact impact = resolve(cluster);
+    CHECK(impact.velocities[0].x() - impact.velocities[1].x() == Approx(0.5 * 1.01).epsilon(1e-12));
+    CHECK(impact.velocities[2].isZero(0));
+}
+
 TEST_CASE("Neither the order of contacts nor that of bodies matters, nor which is a and which b")
 {
     Random random(5);
