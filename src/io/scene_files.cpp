@@ -87,11 +87,10 @@ fs::path find_scene(const std::string& what, const fs::path& root)
 {
     std::error_code error;
     if (fs::exists(what, error) && !fs::is_directory(what, error)) return what;
+    for (const fs::path& file : scene_files(root))
+        if (file.stem() == what) return file;
     std::vector<std::string> names;
-    for (const auto& entry : list_scenes(root)) {
-        if (entry.name == what) return entry.path;
-        names.push_back(entry.name);
-    }
+    for (const auto& entry : list_scenes(root)) names.push_back(entry.name);
     if (fs::is_directory(what, error)) throw InputError({what + ": is a directory (name a scene file in it)"});
     if (fs::exists(what + ".json", error))
         throw InputError({what + ": no such file and no scene of the catalogue (did you mean \"" + what + ".json\"?)"});

@@ -60,6 +60,24 @@ inline void add_box(Scene& scene, double side)
     }
 }
 
+/// `count` spheres fall into a shaft of 0.18 x 0.18 and settle there, three on a layer; e = 0.3.
+inline Scene shaft(std::uint64_t seed, int count, double end_time)
+{
+    Scene scene = empty_scene(end_time, earth, 0.3);
+    constexpr double width = 0.18;
+    add_floor(scene);
+    for (int axis = 0; axis < 2; ++axis) {
+        add_plane(scene, axis == 0 ? "left" : "front", Vec3::Unit(axis), 0);
+        add_plane(scene, axis == 0 ? "right" : "back", -Vec3::Unit(axis), -width);
+    }
+    Random random(seed);
+    for (int k = 0; k < count; ++k) {
+        const double r = random.uniform(0.028, 0.034), x = random.uniform(r, width - r), y = random.uniform(r, width - r);
+        add_sphere(scene, r, {x, y, 0.05 + 0.08 * k});
+    }
+    return scene;
+}
+
 /// `count` spheres at random in [0, side]^3, clear of each other and of the walls; masses as volumes.
 inline void fill_box(Scene& scene, Random& random, int count, double side, double r_min, double r_max, double speed)
 {
