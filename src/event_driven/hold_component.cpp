@@ -27,23 +27,8 @@ public:
 
     HeldComponent go()
     {
-        // A part of which a contact opens at once is looked at again without it, and perhaps in pieces.
-        std::vector<Indices> parts = contacts_.parts();
-        while (!parts.empty()) {
-            const std::vector<Indices> held = contacts_.contacts_of(parts);
-            sort_by_body(held);
-            std::vector<char> again(component().bodies.size(), 0);
-            bool some = false;
-            for (std::size_t p = 0; p < parts.size(); ++p) {
-                if (go_on(parts[p], held[p])) continue;
-                some = true;
-                for (const std::size_t k : parts[p]) again[k] = 1;
-            }
-            parts.clear();
-            if (!some) break;
-            for (Indices& part : contacts_.parts())
-                if (again[part.front()]) parts.push_back(std::move(part));
-        }
+        // Where a contact opens at once, all is done anew without it. It is out for good, so that this ends.
+        while (!try_all()) continue;
         std::sort(out_.changes.begin(), out_.changes.end(),
                   [](const MemberChange& x, const MemberChange& y) { return x.body < y.body; });
         for (std::size_t i = 0; i < component().contacts.size(); ++i) out_.persists.push_back(contacts_.persists(i));
@@ -56,6 +41,17 @@ private:
     const ContactComponent& component() const { return contacts_.component(); }
     const Touch& touch(std::size_t contact) const { return component().contacts[contact]; }
 
+    bool try_all()
+    {
+        out_ = {};
+        shift_.assign(component().bodies.size(), Vec3::Zero());
+        const std::vector<Indices> parts = contacts_.parts(), held = contacts_.contacts_of(parts);
+        sort_by_body(held);
+        for (std::size_t p = 0; p < parts.size(); ++p)
+            if (!go_on(parts[p], held[p])) return false;
+        return true;
+    }
+
     void sort_by_body(const std::vector<Indices>& held)
     {
         of_body_.assign(component().bodies.size(), {});
@@ -67,7 +63,7 @@ private:
     }
 
     /// \param held persistent contacts of the part
-    /// \returns false where a contact opens at once, and then nothing is done
+    /// \returns false where a contact opens at once, and that is released
     bool go_on(const Indices& part, const Indices& held)
     {
         if (held.empty()) {
@@ -122,13 +118,14 @@ private:
         if (!(widest > 1e-3 * state_.rest.gap_tolerance)) return;
         const std::vector<Vec3> change = equalising_change(numeric, wanted).change;
         for (const std::size_t k : staying)
-            if (number[k] != immovable) contacts_.shift(k, change[static_cast<std::size_t>(number[k])]);
+            if (number[k] != immovable) shift_[k] = change[static_cast<std::size_t>(number[k])];
     }
 
     MemberChange& change_of(std::size_t k)
     {
         Flight f = component().flights[k];
         f.start = now_;
+        if (!shift_[k].isZero(0)) f.place = moved(state_.frame, f.place, shift_[k]);
         out_.changes.push_back({component().bodies[k], f, Vec3::Zero(), {}, {}, false});
         return out_.changes.back();
     }
@@ -227,7 +224,8 @@ private:
     const State& state_;
     Persistence contacts_;
     const EpochTime now_;
-    std::vector<Indices> of_body_;  ///< persistent contacts of bodies that are yet to go on
+    std::vector<Indices> of_body_;  ///< by body: its persistent contacts
+    std::vector<Vec3> shift_;       ///< by body: what closes its gaps [length]
     HeldComponent out_;
 };
 

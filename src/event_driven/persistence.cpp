@@ -7,14 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace carom {
 
 namespace {
-
-constexpr double any_speed = std::numeric_limits<double>::infinity();
-constexpr int many_pushes = 40;
 
 double largest_speed(const ContactComponent& component)
 {
@@ -43,9 +39,9 @@ Persistence::Persistence(const State& state, ContactComponent component)
         find_forces();
         let_open(opens);
     }
-    push_apart(opens, std::vector<char>(component_.bodies.size(), 0), any_speed, many_pushes);
-    if (bring_to_rest()) push_from_rest(opens);
-    hold_jammed();
+    push_apart(std::move(opens));
+    bring_to_rest();
+    hold_pressed();
 }
 
 bool Persistence::rests(std::size_t body) const
@@ -69,15 +65,8 @@ void Persistence::release(std::vector<char> opens)
         persists_[i] = 0;
         released_[i] = 1;
     }
-    push_apart(opens, std::vector<char>(component_.bodies.size(), 0), any_speed, many_pushes);
-    push_from_rest(opens);
-    hold_jammed();
-}
-
-void Persistence::shift(std::size_t body, const Vec3& shift)
-{
-    Place& place = component_.flights[body].place;
-    place = moved(state_.frame, place, shift);
+    push_apart(std::move(opens));
+    hold_pressed();
 }
 
 Vec3 Persistence::relative_velocity(std::size_t contact) const
@@ -121,44 +110,22 @@ bool Persistence::stop_closing()
         some = some || std::abs(wanted[i]) > slow_;
     }
     const double before = kinetic_energy();
-    equalise(persists_, wanted, std::vector<char>(component_.bodies.size(), 0));
+    equalise(persists_, wanted);
     energy_taken_ += before - kinetic_energy();
     return some;
 }
 
-/// Gap rates of some contacts change as wanted, by impulses along their normals. \param still bodies that are to stay
-/// as they are
-void Persistence::equalise(const std::vector<char>& which, const std::vector<double>& wanted,
-                           const std::vector<char>& still)
+/// Gap rates of some contacts change as wanted, by impulses along their normals.
+void Persistence::equalise(const std::vector<char>& which, const std::vector<double>& wanted)
 {
-    Cluster cluster;
-    std::vector<std::size_t> bodies, contacts;
-    std::vector<int> number(component_.bodies.size(), immovable);
-    for (std::size_t k = 0; k < still.size(); ++k) {
-        if (still[k]) continue;
-        number[k] = static_cast<int>(bodies.size());
-        bodies.push_back(k);
-        cluster.bodies.push_back({component_.flights[k].velocity, state_.inverse_mass(component_.bodies[k])});
-    }
     std::vector<double> changes;
-    for (std::size_t i = 0; i < count(); ++i) {
-        if (!which[i]) continue;
-        ClusterContact c = links_[i];
-        c.a = number[static_cast<std::size_t>(c.a)];
-        c.b = c.b == immovable ? immovable : number[static_cast<std::size_t>(c.b)];
-        if (c.a == immovable) {
-            std::swap(c.a, c.b);
-            c.normal = -c.normal;
-        }
-        if (c.a == immovable) continue;
-        cluster.contacts.push_back(c);
-        contacts.push_back(i);
-        changes.push_back(wanted[i]);
-    }
+    for (std::size_t i = 0; i < count(); ++i)
+        if (which[i]) changes.push_back(wanted[i]);
     if (changes.empty()) return;
-    const EqualisingChange change = equalising_change(cluster, changes);
-    for (std::size_t n = 0; n < bodies.size(); ++n) component_.flights[bodies[n]].velocity += change.change[n];
-    for (std::size_t n = 0; n < contacts.size(); ++n) impulses_[contacts[n]] += change.impulses[n];
+    const EqualisingChange change = equalising_change(with_contacts(which), changes);
+    for (std::size_t k = 0; k < change.change.size(); ++k) component_.flights[k].velocity += change.change[k];
+    for (std::size_t i = 0, n = 0; i < count(); ++i)
+        if (which[i]) impulses_[i] += change.impulses[n++];
 }
 
 double Persistence::kinetic_energy() const
@@ -239,21 +206,10 @@ double Persistence::softest(const Touch& t) const
     return length(gravity_) > 0 ? 0 : persistence_gap(state_, t.a, t.b) / time / time;
 }
 
-/// What was rounding in the speeds of those that rest now may have opened a contact that by rounding closes without it.
-void Persistence::push_from_rest(std::vector<char>& opens)
-{
-    std::vector<char> still;
-    for (std::size_t k = 0; k < component_.bodies.size(); ++k) still.push_back(rests(k));
-    const auto is_still = [&](int k) { return k == immovable || still[static_cast<std::size_t>(k)]; };
-    for (std::size_t i = 0; i < count(); ++i)
-        opens[i] = opens[i] && rate(i) >= -2 * slow_ && !(is_still(a(i)) && is_still(b(i)));
-    constexpr int few = 3;
-    push_apart(opens, still, 2 * slow_, few);
-}
-
-/// A closed contact that nothing could open, because its bodies are jammed: it persists, though it carries nothing. (If it
-/// were left alone it would close at this very instant, again and again.)
-void Persistence::hold_jammed()
+/// A closed contact that still closes, slowly: because jammed bodies cannot open it, or by the rounding in the speed of one
+/// that has come to rest. It persists, though it carries nothing. (If it were left alone it would close at this very
+/// instant, again and again.)
+void Persistence::hold_pressed()
 {
     for (std::size_t i = 0; i < count(); ++i) {
         const Touch& t = component_.contacts[i];
@@ -264,9 +220,9 @@ void Persistence::hold_jammed()
 }
 
 /// Contacts open from speed 0; by rounding that must not look like closing to those who predict.
-/// \param still bodies that stay as they are \param most faster closings are left to impacts [length/time]
-void Persistence::push_apart(std::vector<char>& opens, const std::vector<char>& still, double most, int most_pushes)
+void Persistence::push_apart(std::vector<char> opens)
 {
+    constexpr int most_pushes = 40;
     double margin = 16 * unit_roundoff * std::max(largest_speed(component_), slow_);
     const double enough = margin / 2;
     std::vector<char> moved(count(), 0);
@@ -275,22 +231,20 @@ void Persistence::push_apart(std::vector<char>& opens, const std::vector<char>& 
         std::vector<double> wanted(count(), 0);
         for (std::size_t i = 0; i < count(); ++i) {
             const double c = rate(i);
-            if (!persists_[i] && c < 0 && c >= -most) opens[i] = 1;  // what was done to others has made it close again
+            if (!persists_[i] && c < 0) opens[i] = 1;  // what was done to others has made it close again
             moved[i] = opens[i] || persists_[i];
             if (!moved[i]) continue;
             wanted[i] = opens[i] ? std::max(margin - c, 0.0) : -c;
             if (opens[i] && !(c > enough)) all_open = false;
         }
         if (all_open) return;
-        equalise(moved, wanted, still);
+        equalise(moved, wanted);
     }
 }
 
 /// Speeds and accelerations that are no more than what solving leaves of 0, where contacts hold a body.
-/// \returns whether somebody was
-bool Persistence::bring_to_rest()
+void Persistence::bring_to_rest()
 {
-    bool some = false;
     std::vector<char> is_held(component_.bodies.size(), 0);
     for (std::size_t i = 0; i < count(); ++i) {
         if (!persists_[i]) continue;
@@ -301,11 +255,8 @@ bool Persistence::bring_to_rest()
         if (!is_held[k]) continue;
         Vec3 &v = component_.flights[k].velocity, &acceleration = acceleration_[k];
         if (length(acceleration) <= soft_) acceleration = Vec3::Zero();
-        if (!acceleration.isZero(0) || v.isZero(0) || !(length(v) <= slow_)) continue;
-        v = Vec3::Zero();
-        some = true;
+        if (acceleration.isZero(0) && length(v) <= slow_) v = Vec3::Zero();
     }
-    return some;
 }
 
 std::vector<std::vector<std::size_t>> Persistence::parts() const
@@ -332,15 +283,12 @@ std::vector<std::vector<std::size_t>> Persistence::parts() const
 std::vector<std::vector<std::size_t>> Persistence::contacts_of(
     const std::vector<std::vector<std::size_t>>& parts) const
 {
-    constexpr std::size_t none = static_cast<std::size_t>(-1);
-    std::vector<std::size_t> part_of(component_.bodies.size(), none);
+    std::vector<std::size_t> part_of(component_.bodies.size());
     for (std::size_t p = 0; p < parts.size(); ++p)
         for (const std::size_t k : parts[p]) part_of[k] = p;
     std::vector<std::vector<std::size_t>> out(parts.size());
-    for (std::size_t i = 0; i < count(); ++i) {
-        const std::size_t p = part_of[static_cast<std::size_t>(a(i))];
-        if (persists_[i] && p != none) out[p].push_back(i);
-    }
+    for (std::size_t i = 0; i < count(); ++i)
+        if (persists_[i]) out[part_of[static_cast<std::size_t>(a(i))]].push_back(i);
     return out;
 }
 

@@ -16,7 +16,7 @@ public:
     bool persists(std::size_t contact) const { return persists_[contact]; }
     /// Bodies that persistent contacts connect, as positions in `bodies`, ascending.
     std::vector<std::vector<std::size_t>> parts() const;
-    /// By part, persistent contacts of its bodies. \param parts all of them, or some
+    /// By part, the persistent contacts of its bodies.
     std::vector<std::vector<std::size_t>> contacts_of(const std::vector<std::vector<std::size_t>>& parts) const;
 
     /// Positions of a contact's spheres in `bodies`; `immovable` for b where it is none of them.
@@ -29,10 +29,8 @@ public:
     bool turns(std::size_t contact) const;
     double soft() const { return soft_; }  ///< accelerations up to this are 0 [length/time^2]
 
-    /// These persist no more and open from here on. \param opens by contact
+    /// These persist no more, for good, and open from here on. \param opens by contact
     void release(std::vector<char> opens);
-    /// A body is elsewhere. \param shift [length]
-    void shift(std::size_t body, const Vec3& shift);
 
     /// By contact, along the normal on its `a`: what took the speed of slow contacts. Below 0 where one that opened
     /// slowly was held [mass length/time].
@@ -54,12 +52,10 @@ private:
     void find_forces();
     void let_open(std::vector<char>& opens);
     bool stop_closing();
-    void equalise(const std::vector<char>& which, const std::vector<double>& wanted, const std::vector<char>& still);
-    void push_apart(std::vector<char>& opens, const std::vector<char>& still, double most,
-                    int most_pushes);
-    void push_from_rest(std::vector<char>& opens);
-    bool bring_to_rest();
-    void hold_jammed();
+    void equalise(const std::vector<char>& which, const std::vector<double>& wanted);
+    void push_apart(std::vector<char> opens);
+    void bring_to_rest();
+    void hold_pressed();
 
     const State& state_;
     ContactComponent component_;

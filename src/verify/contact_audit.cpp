@@ -179,7 +179,10 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
         }
     }
     const double scale = mass * speeds;
-    const double allowed = 64 * u * shake * scale + (group.coupled ? solved * scale + mass * bodies_->settling() : 0);
+    double allowed = 64 * u * shake * scale;
+    if (group.coupled) allowed += solved * scale + mass * bodies_->settling();
+    // A solver may have found it, for contacts that got no impulse.
+    else if (bodies_->knows_several_contacts()) allowed += 10 * hidden * scale;
     if (!(found <= allowed))
         fail("an impulse on sphere " + std::to_string(event.a) + " is not that of its contact, by " +
                  figure(found / scale),
