@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 
@@ -194,29 +195,24 @@ void Persistence::let_open(std::vector<char>& opens)
     for (std::size_t i = 0; i < count(); ++i) {
         if (!persists_[i] || force_[i] > 0) continue;
         const bool opens_already = rate(i) > slow_;
-        opens[i] = !opens_already && opening_[i] > std::max(soft_, softest(component_.contacts[i]));
+        opens[i] = !opens_already && opening_[i] > softest(i);
         if (opens[i] || opens_already) persists_[i] = false;
     }
 }
 
-/// Without gravity: what opens a contact by less than its tolerance until the end of the run.
-double Persistence::softest(const Touch& t) const
+/// What opens a contact less than this does not open it. Without gravity: by less than its tolerance until the end of the
+/// run. Where one that has just closed meets a numeric piece, and turns: by less than that within a step, after which it
+/// is asked again. (The parabola that stands for such a piece may close what its step opens.)
+double Persistence::softest(std::size_t contact) const
 {
-    const double time = state_.scene.end_time;
-    return length(gravity_) > 0 ? 0 : persistence_gap(state_, t.a, t.b) / time / time;
-}
-
-/// A closed contact that still closes, slowly: because jammed bodies cannot open it, or by the rounding in the speed of one
-/// that has come to rest. It persists, though it carries nothing. (If it were left alone it would close at this very
-/// instant, again and again.)
-void Persistence::hold_pressed()
-{
-    for (std::size_t i = 0; i < count(); ++i) {
-        const Touch& t = component_.contacts[i];
-        const double c = rate(i);
-        if (!persists_[i] && !released_[i] && c < 0 && c >= -slow_ && t.gap <= persistence_gap(state_, t.a, t.b))
-            persists_[i] = 1;
-    }
+    const Touch& t = component_.contacts[contact];
+    double time = std::numeric_limits<double>::infinity();
+    if (!(length(gravity_) > 0)) time = state_.scene.end_time;
+    const auto is_numeric = [&](BodyId body) {
+        return !state_.is_plane(body) && state_.flight(body).mode == Mode::numeric;
+    };
+    if (!t.persistent && turns(contact) && (is_numeric(t.a) || is_numeric(t.b))) time = std::min(time, state_.rest.numeric_step);
+    return std::max(soft_, 2 * persistence_gap(state_, t.a, t.b) / time / time);
 }
 
 /// Contacts open from speed 0; by rounding that must not look like closing to those who predict.
@@ -256,6 +252,19 @@ void Persistence::bring_to_rest()
         Vec3 &v = component_.flights[k].velocity, &acceleration = acceleration_[k];
         if (length(acceleration) <= soft_) acceleration = Vec3::Zero();
         if (acceleration.isZero(0) && length(v) <= slow_) v = Vec3::Zero();
+    }
+}
+
+/// A closed contact that still closes, slowly: because jammed bodies cannot open it, or by the rounding in the speed of one
+/// that has come to rest. It persists, though it carries nothing. (If it were left alone it would close at this very
+/// instant, again and again.)
+void Persistence::hold_pressed()
+{
+    for (std::size_t i = 0; i < count(); ++i) {
+        const Touch& t = component_.contacts[i];
+        const double c = rate(i);
+        if (!persists_[i] && !released_[i] && c < 0 && c >= -slow_ && t.gap <= persistence_gap(state_, t.a, t.b))
+            persists_[i] = 1;
     }
 }
 

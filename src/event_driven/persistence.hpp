@@ -43,7 +43,7 @@ private:
     double rate(std::size_t contact) const;
     double turning(std::size_t contact) const;
     bool loses_energy() const;
-    double softest(const Touch& t) const;
+    double softest(std::size_t contact) const;
     double kinetic_energy() const;
     Cluster with_contacts(const std::vector<char>& which) const;
     std::vector<double> forces_before() const;
