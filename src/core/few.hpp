@@ -1,33 +1,54 @@
 /// \file
-/// A list of a few things that lives where it is declared: no allocation on the hot path.
+/// A short list that never allocates.
 #pragma once
 
 #include "core/expect.hpp"
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <type_traits>
 
 namespace carom {
 
+/// Up to `most` values. Places that hold none are left as they are, for an event makes many lists and fills few.
 template <class T, std::size_t most>
 class Few {
+    static_assert(std::is_trivially_destructible_v<T>);
+
 public:
+    Few() {}
+    Few(const Few& other) : size_(other.size_) { std::uninitialized_copy(other.begin(), other.end(), begin()); }
+    Few& operator=(const Few& other)
+    {
+        if (this == &other) return *this;
+        size_ = other.size_;
+        std::uninitialized_copy(other.begin(), other.end(), begin());
+        return *this;
+    }
+
     void push_back(const T& value)
     {
         CAROM_EXPECT(size_ < most);
-        items_[size_++] = value;
+        std::construct_at(begin() + size_, value);
+        ++size_;
     }
     bool empty() const { return size_ == 0; }
     std::size_t size() const { return size_; }
-    T& front() { return items_[0]; }
-    const T& front() const { return items_[0]; }
-    T* begin() { return items_.data(); }
-    T* end() { return items_.data() + size_; }
-    const T* begin() const { return items_.data(); }
-    const T* end() const { return items_.data() + size_; }
+    T& front() { return *begin(); }
+    const T& front() const { return *begin(); }
+    T* begin() { return storage_.items.data(); }
+    T* end() { return begin() + size_; }
+    const T* begin() const { return storage_.items.data(); }
+    const T* end() const { return begin() + size_; }
 
 private:
-    std::array<T, most> items_;
+    union Storage {
+        Storage() {}
+        std::array<T, most> items;
+    };
+
+    Storage storage_;
     std::size_t size_ = 0;
 };
 

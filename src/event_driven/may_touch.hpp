@@ -15,7 +15,8 @@ inline bool may_touch(const State& state, BodyId body, const Flight& now, BodyId
     const double dt = state.frame.between(f.start, now.start);
     const Vec3 shift = displacement(f.velocity, state.accelerations[f.acceleration], dt);
     const Vec3 r = separation(state.frame, now.place, f.place) - shift;
-    constexpr double generous = 1.001;  // numeric pieces are no parabolas
+    const bool numeric = f.mode == Mode::numeric || now.mode == Mode::numeric;
+    const double generous = numeric ? 1.001 : 1.00005;  // such pieces are no parabolas
     const double reach = generous * (state.radius(body) + state.radius(other) + margin);
     return r.squaredNorm() <= reach * reach;
 }

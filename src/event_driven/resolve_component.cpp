@@ -38,7 +38,7 @@ bool apply_policy(const State& state, const ContactComponent& component, const E
         for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
             const Touch& t = component.contacts[i];
             const double closing = -closing_rate(cluster.contacts[i], velocities);
-            cluster.contacts[i].restitution = law_of_impact(state, t.a, t.b, closing).restitution;
+            cluster.contacts[i].restitution = law_of_impact(state, state.law(t.a, t.b), closing).restitution;
         }
     if (state.scene.rest.policy != RestPolicy::contact) return false;
     const auto loses = [](const ClusterContact& c) { return c.restitution < 1; };
@@ -185,19 +185,6 @@ private:
 };
 
 }  // namespace
-
-ContactLaw law_of_impact(const State& state, BodyId a, BodyId b, double closing)
-{
-    ContactLaw law = state.law(a, b);
-    if (state.scene.rest.policy == RestPolicy::micro && closing < state.rest.closing_speed) law.restitution = 1;
-    return law;
-}
-
-bool is_inelastic(const State& state, BodyId a, BodyId b, double closing, const EpochTime& now)
-{
-    return state.scene.rest.policy == RestPolicy::contact && state.law(a, b).restitution < 1 &&
-           (closing < state.rest.closing_speed || state.recent.has(a, b, now));
-}
 
 ComponentResolution resolve_component(const State& state, const Key& key, const Neighbourhood& neighbourhood)
 {

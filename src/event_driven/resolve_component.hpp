@@ -24,10 +24,19 @@ std::vector<ComponentResolution> begin_components(const State& state);
 
 /// The law of a contact that closes at this speed, > 0: policy micro makes slow ones elastic, so that what would rest
 /// goes on in a train of bounces of a speed near v_c (after Hahn 1988).
-ContactLaw law_of_impact(const State& state, BodyId a, BodyId b, double closing);
+inline ContactLaw law_of_impact(const State& state, ContactLaw law, double closing)
+{
+    if (state.scene.rest.policy == RestPolicy::micro && closing < state.rest.closing_speed) law.restitution = 1;
+    return law;
+}
 
 /// Must a contact with restitution below 1 be inelastic: because it closes slower than v_c, or closed less than tau_p
 /// ago? \param closing speed, > 0 [length/time]
-bool is_inelastic(const State& state, BodyId a, BodyId b, double closing, const EpochTime& now);
+inline bool is_inelastic(const State& state, const ContactLaw& law, BodyId a, BodyId b, double closing,
+                         const EpochTime& now)
+{
+    return law.restitution < 1 && state.scene.rest.policy == RestPolicy::contact &&
+           (closing < state.rest.closing_speed || state.recent.has(a, b, now));
+}
 
 }  // namespace carom

@@ -16,12 +16,12 @@ namespace {
 
 /// Is this more than an impact of a sphere and a plane alone, or less: one without a rebound? (Where gravity presses,
 /// low bounces are summed instead, or go on until rounding ends them.)
-bool is_coupled(const State& state, const Key& key, const Flight& f, const Vec3& normal,
+bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const Flight& f, const Vec3& normal,
                 const Neighbourhood& neighbourhood)
 {
-    const bool pressed = normal.dot(state.accelerations[f.acceleration]) < 0;
+    const auto pressed = [&] { return normal.dot(state.accelerations[f.acceleration]) < 0; };
     return f.support == several_supports ||
-           (!pressed && is_inelastic(state, key.a, key.b, -normal.dot(f.velocity), key.time)) ||
+           (is_inelastic(state, law, key.a, key.b, -normal.dot(f.velocity), key.time) && !pressed()) ||
            belongs_to_previous_instant(state, key) ||
            other_closed(state, Instant(state, key), f, key.a, key.b, neighbourhood);
 }
@@ -37,10 +37,11 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     Flight& f = now.flight;
     const bool certified = state.certified() && flies_freely(f);
     const Vec3 normal = facing_normal(state, plane, f.place);
-    out.coupled = is_coupled(state, key, f, normal, neighbourhood);
+    const ContactLaw& plain = state.law(id, key.b);
+    out.coupled = is_coupled(state, key, plain, f, normal, neighbourhood);
     if (out.coupled) return out;
 
-    const ContactLaw law = law_of_impact(state, id, key.b, -normal.dot(f.velocity));
+    const ContactLaw law = law_of_impact(state, plain, -normal.dot(f.velocity));
     out.penetration = certified ? certified_penetration(state, now, id, plane)
                                 : std::max(0.0, -height_above(state, id, plane, f.place));
     const auto approaches = [&] {

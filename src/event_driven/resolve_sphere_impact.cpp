@@ -23,19 +23,19 @@ bool is_pressed(const State& state, BodyId a, BodyId b)
 }
 
 /// No rebound: the contact may persist.
-bool stays(const State& state, const Key& key, const Flight& a, const Flight& b, const Vec3& normal)
+bool stays(const State& state, const Key& key, const ContactLaw& law, const Flight& a, const Flight& b,
+           const Vec3& normal)
 {
-    const ContactLaw& law = state.law(key.a, key.b);
     return law.restitution == 0 ||
-           (law.restitution < 1 && is_inelastic(state, key.a, key.b, -normal.dot(a.velocity - b.velocity), key.time));
+           is_inelastic(state, law, key.a, key.b, -normal.dot(a.velocity - b.velocity), key.time);
 }
 
 /// Is this more than an impact of two spheres alone, or less: one without a rebound?
-bool is_coupled(const State& state, const Key& key, const Flight& a, const Flight& b, const Vec3& normal,
-                const Neighbourhood& neighbourhood)
+bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const Flight& a, const Flight& b,
+                const Vec3& normal, const Neighbourhood& neighbourhood)
 {
     const Instant instant(state, key);
-    return a.support == several_supports || b.support == several_supports || stays(state, key, a, b, normal) ||
+    return a.support == several_supports || b.support == several_supports || stays(state, key, law, a, b, normal) ||
            belongs_to_previous_instant(state, key) || other_closed(state, instant, a, key.a, key.b, neighbourhood) ||
            other_closed(state, instant, b, key.b, key.a, neighbourhood);
 }
@@ -53,7 +53,8 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
     const Vec3 r = separation(state.frame, a.place, b.place);
     const double distance = std::sqrt(r.squaredNorm());
     const Vec3 normal = r / distance;
-    out.coupled = is_coupled(state, key, a, b, normal, neighbourhood);
+    const ContactLaw& law = state.law(key.a, key.b);
+    out.coupled = is_coupled(state, key, law, a, b, normal, neighbourhood);
     if (out.coupled) return out;
     out.penetration = certified ? certified_penetration(state, now_a, key.a, now_b, key.b)
                                 : std::max(0.0, sa.radius + sb.radius - distance);
@@ -65,7 +66,7 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
     Event impact{EventKind::impact, {}, 0, key.a, key.b, normal, Vec3::Zero()};
     if (approach() < 0) {
         const PairImpact after = resolve_pair({a.velocity, inverse_a}, {b.velocity, inverse_b}, normal,
-                                              law_of_impact(state, key.a, key.b, -normal.dot(a.velocity - b.velocity)));
+                                              law_of_impact(state, law, -normal.dot(a.velocity - b.velocity)));
         a.velocity = after.velocity_a;
         b.velocity = after.velocity_b;
         impact.impulse = after.impulse;

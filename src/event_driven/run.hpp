@@ -105,7 +105,7 @@ private:
         for (const Change& change : resolution.changes) ledger_.show_flight(state_, change.body);
         for (const Change& changed : resolution.changes)
             schedule_.flight_changed(state_, changed.body, now_, ledger_.out.counts);
-        return watch(key, hit_);
+        return hit_.empty() ? limits() : watch(key, hit_);
     }
 
     /// An event of bodies in several contacts.
@@ -164,7 +164,8 @@ private:
 
     void report(const Event& event)
     {
-        if (event.kind == EventKind::impact && state_.law(event.a, event.b).restitution < 1) {
+        if (state_.loses_energy && event.kind == EventKind::impact &&
+            state_.law(event.a, event.b).restitution < 1) {
             state_.recent.add(event.a, event.b, now_);
             hit_.push_back(state_.is_fixed(event.a) ? event.b : event.a);
         }
@@ -185,10 +186,13 @@ private:
 
     void commit(const Change& change, const Series& series)
     {
-        ledger_.account_for_support(state_, change.body, now_);
-        ledger_.note_mode(state_, change.body, change.flight.mode, now_);
         Flight& flight = state_.flights[static_cast<std::size_t>(change.body)];
-        if (flight.mode == Mode::series) state_.series.erase(change.body);
+        // Nothing to enter for those that flew and fly: nearly all.
+        if (flight.mode != Mode::flying || change.flight.mode != Mode::flying) {
+            ledger_.account_for_support(state_, change.body, now_);
+            ledger_.note_mode(state_, change.body, change.flight.mode, now_);
+            if (flight.mode == Mode::series) state_.series.erase(change.body);
+        }
         flight = change.flight;
         if (state_.certified()) state_.low[static_cast<std::size_t>(change.body)] = change.low;
         if (flight.mode == Mode::series) state_.series[change.body] = series;
@@ -225,9 +229,9 @@ private:
         for (const Event& event : resolution.events) report(event);
     }
 
-    Status limits()
+    Status limits() { return ledger_.events() < options_.max_events ? Status::reached_end : event_limit(); }
+    Status event_limit()
     {
-        if (ledger_.events() < options_.max_events) return Status::reached_end;
         return stop(Status::event_limit, "the limit of " + std::to_string(options_.max_events) + " events");
     }
 

@@ -15,9 +15,12 @@ namespace {
 /// instant to matter.) \pre a is a sphere; flights are of this instant.
 bool closed_contact(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
 {
+    const double radius = std::min(state.radius(id_a), state.radius(id_b));
     const Vec3 r = separation(state.frame, a.place, b.place);
-    if (approach_sign(r, a.velocity - b.velocity) > 0) return false;
-    return state.ties(id_a, id_b, length(r) - (state.radius(id_a) + state.radius(id_b)), a.start);
+    const double sum = state.radius(id_a) + state.radius(id_b);
+    const double reach = sum + std::max(state.rebound_gap, state.tie(radius));
+    return r.squaredNorm() <= reach * reach && approach_sign(r, a.velocity - b.velocity) <= 0 &&
+           state.ties(id_a, id_b, length(r) - sum, a.start);
 }
 
 bool closed_contact(const State& state, const Flight& a, BodyId id, int plane)

@@ -27,7 +27,10 @@ State::State(const Scene& s, bool certified)
       rest(rest_thresholds(s)),
       stamps(s.spheres.size(), 0),
       recent(frame, rest.window, s.spheres.size()),
-      rebound_gap(s.rest.policy == RestPolicy::contact && !certified ? rest.closing_speed * rest.window / 4 : 0)
+      loses_energy(laws.lose_energy()),
+      rebound_gap(loses_energy && s.rest.policy == RestPolicy::contact && !certified
+                      ? rest.closing_speed * rest.window / 4
+                      : 0)
 {
     flights.reserve(s.spheres.size());
     radii.reserve(s.spheres.size());
