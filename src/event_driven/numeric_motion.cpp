@@ -3,6 +3,7 @@
 #include "event_driven/height.hpp"
 #include "event_driven/motion.hpp"
 #include "event_driven/piece.hpp"
+#include "math/error_free.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,9 +81,10 @@ EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& e
         return state.flight(body).mode == Mode::numeric && state.pieces.at(body).cluster != nullptr;
     };
     if (!is_numeric(key.a) && (plane || !is_numeric(key.b))) return key.time;
+    // Newton's method from the right, between a time before the contact and one after it.
     const double latest = state.frame.between(earliest, key.time);
-    double t = latest;
-    constexpr int steps = 4;
+    double t = latest, before = -1, after = latest;
+    constexpr int steps = 8;
     for (int i = 0; i < steps; ++i) {
         const EpochTime time = state.frame.after(earliest, t);
         const Flight a = flight_within(state, key.a, time);
@@ -90,10 +92,19 @@ EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& e
         const Touch contact = touch(state, key.a, a, key.b, plane ? nullptr : &b);
         const double rate = contact.normal.dot(plane ? a.velocity : Vec3(a.velocity - b.velocity));
         if (i == 0 && !(contact.gap < 0)) return key.time;
-        if (!(rate < 0)) break;
-        t = std::clamp(t - contact.gap / rate, 0.0, latest);
+        if (i == 0 && !(rate < 0)) return key.time;
+        // What opens is the end of an earlier contact.
+        const bool close = std::abs(contact.gap) <= unit_roundoff * state.radius(key.a);
+        const bool closed = (contact.gap < 0 || close) && rate < 0;
+        (closed ? after : before) = t;
+        if ((closed && close) || !(after > 0)) break;
+        const double newton = rate < 0 ? t - contact.gap / rate : before;
+        if (before < newton && newton < after)
+            t = std::max(newton, 0.0);
+        else
+            t = before < 0 ? 0 : before + (after - before) / 2;
     }
-    return t < latest ? state.frame.after(earliest, t) : key.time;
+    return after < latest ? state.frame.after(earliest, after) : key.time;
 }
 
 NumericMotion numeric_motion(const State& state, const NumericPart& part, const EpochTime& now, double opening)

@@ -106,14 +106,16 @@ void Coverage::check_support(BodyId body, const EpochTime& now)
         const Path theirs = flights_.path(other);
         const Relative<double> r = relative<double>(path, acceleration, theirs, data_.acceleration(theirs), now);
         const double ra = data_.radius(body), rb = data_.radius(other);
-        const double slack = theirs.mode == Mode::numeric ? deepest_numeric : 2 * contact_slack;
+        const bool rough = path.mode == Mode::numeric || theirs.mode == Mode::numeric;
+        const double slack = rough ? deepest_numeric : 2 * contact_slack;
         add(rounded(r.r), ra + rb, slack * std::min(ra, rb), r.r_error.sum() / rounding<double>);
     });
     for (int p = 0; p < data_.planes(); ++p) {
         const Wall& wall = data_.wall(p);
         const double side = side_of(wall, path), radius = data_.radius(body);
         const WallSegment s{path, acceleration, wall, side, now, now, radius, nullptr};
-        if (height(s, now).high <= 2 * contact_slack * radius) normals.push_back(side * wall.normal);
+        const double slack = path.mode == Mode::numeric ? deepest_numeric : 2 * contact_slack;
+        if (height(s, now).high <= slack * radius) normals.push_back(side * wall.normal);
     }
     if (!is_in_cone(normals, push, enough))
         findings_.violation("sphere " + std::to_string(body) + " is held by contacts that cannot push it so", now,
