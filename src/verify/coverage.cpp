@@ -85,22 +85,25 @@ void Coverage::close(BodyId body, const EpochTime& now)
         const EpochTime from = all_pairs_ ? start : std::max(start, slab_begin_);
         visit(body, from, now, [&](BodyId other) { pair(body, other, from, now); });
         planes(body, now);
-        check_support(body, now);
+        check_support(body, now, Edge::ends);
     }
     gaps_.count(body, now);
 }
 
-void Coverage::check_support(BodyId body, const EpochTime& now)
+void Coverage::check_support(BodyId body, const EpochTime& now, Edge edge)
 {
     const Path path = flights_.path(body);
     if (!is_held_by_several(path)) return;
     const Vec3 acceleration = data_.acceleration(path), push = acceleration - data_.gravity;
-    const double pull = data_.gravity.norm(), enough = 1e-8 * pull;
+    const double pull = data_.gravity.norm();
+    double enough = 1e-8 * pull;
     if (push.norm() <= enough) return;
     std::vector<Vec3> normals;
     const auto add = [&](const Vec3& r, double sum, double gap, double size) {
         const double distance = r.norm();
-        if (distance - sum <= gap + 64 * u * size) normals.push_back(r / distance);
+        if (distance - sum > gap + 64 * u * size) return false;
+        normals.push_back(r / distance);
+        return true;
     };
     visit(body, now, now, [&](BodyId other) {
         const Path theirs = flights_.path(other);
@@ -108,7 +111,8 @@ void Coverage::check_support(BodyId body, const EpochTime& now)
         const double ra = data_.radius(body), rb = data_.radius(other);
         const bool rough = path.mode == Mode::numeric || theirs.mode == Mode::numeric;
         const double slack = rough ? deepest_numeric : 2 * contact_slack;
-        add(rounded(r.r), ra + rb, slack * std::min(ra, rb), r.r_error.sum() / rounding<double>);
+        const bool touches = add(rounded(r.r), ra + rb, slack * std::min(ra, rb), r.r_error.sum() / rounding<double>);
+        if (touches && rough && edge == Edge::ends) enough = turned_in_a_step * pull;
     });
     for (int p = 0; p < data_.planes(); ++p) {
         const Wall& wall = data_.wall(p);
@@ -172,7 +176,7 @@ void Coverage::finish(const EpochTime& end)
     }
     for (BodyId i = 0; i < data_.spheres(); ++i) {
         if (flights_.start(i) < end) planes(i, end);
-        check_support(i, end);
+        check_support(i, end, Edge::ends);
         gaps_.count(i, std::max(end, flights_.start(i)));
     }
 }
@@ -191,7 +195,7 @@ void Coverage::find_initial_overlaps()
             if (other > i) gaps_.note_overlap(i, other);
         });
         for (int p = 0; p < data_.planes(); ++p) gaps_.note_overlap_with_plane(i, p);
-        check_support(i, {});
+        check_support(i, {}, Edge::begins);
     }
 }
 

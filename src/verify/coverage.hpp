@@ -28,8 +28,10 @@ public:
     void open(BodyId body, const EpochTime& now);
     /// The run ends: everybody's flight does.
     void finish(const EpochTime& end);
-    /// A body that several contacts hold must have them, and they must be able to push it as its flight says.
-    void check_support(BodyId body, const EpochTime& now);
+    /// A body that several contacts hold must have them, and they must be able to push it as its flight says: exactly
+    /// so where the flight begins, and where it ends but for what numeric partners have rolled in their last step.
+    enum class Edge { begins, ends };
+    void check_support(BodyId body, const EpochTime& now, Edge edge);
 
 private:
     /// From `from`, or from the later start of the two, if that is later.

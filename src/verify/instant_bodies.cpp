@@ -80,7 +80,10 @@ void InstantBodies::take(const Event& event)
     const auto add = [&](BodyId body, const Vec3& push) {
         Before& b = before(body);
         b.named = true;
-        if (event.kind == EventKind::rest) b.rests = true;
+        if (event.kind == EventKind::rest) {
+            b.rests = true;
+            b.sums_bounces = b.sums_bounces || !push.isZero(0);
+        }
         b.impulse += push;
         b.pushes += push.norm();
         b.impulses += !push.isZero(0);

@@ -20,6 +20,7 @@ struct Before {
     int impulses = 0;                    ///< how many
     std::size_t group = 0;               ///< index of the body that stands for all that impulses connect with it
     bool rests = false;                  ///< an event says so
+    bool sums_bounces = false;           ///< and its impulse is that of all bounces of a series, which is over
     bool named = false;                  ///< by an event
     bool changed = false;                ///< has got its new flight
 };

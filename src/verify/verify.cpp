@@ -162,7 +162,8 @@ private:
             audit_.change(flight.body);
         }
         audit_.end();
-        for (const FlightRecord& flight : instant.flights) coverage_.check_support(flight.body, now_);
+        for (const FlightRecord& flight : instant.flights)
+            coverage_.check_support(flight.body, now_, Coverage::Edge::begins);
         return true;
     }
 

@@ -234,6 +234,53 @@ TEST_CASE("an impact without rebound is allowed below v_c, if its rebound would 
     }
 }
 
+TEST_CASE("a series that another ball ends, so slowly that both rest, is not taken for one that is over", "[verify]")
+{
+    Scene scene = empty_scene(0.5, {0, 0, -1}, 0.5);
+    scene.materials[0].tangential = 0.5;
+    scene.rest.closing_speed = 1;
+    add_plane(scene, "floor", {0, 0, 1});
+    add_sphere(scene, 0.5, {0, 0, 0.5}, {2, 0, 0.0625});
+    add_sphere(scene, 0.5, {0.21875, 0, 1.529296875}, {0.5, 0, -0.0625});
+    const auto ended_with = [&](double slides) {
+        Handmade run(scene);
+        for (int i = 0; i < 2; ++i) run.start(Mode::flying);
+        run.event(EventKind::impact, 0.125, 0, 2, {0, 0, 1}, {-1, 0, 0.09375});
+        FlightRecord& bounces = run.add(0, 0.125, {0.25, 0, 0.5}, {1, 0, 0.03125}, Mode::series, 0);
+        bounces.acceleration = 1;
+        bounces.series = SeriesRecord{0.03125, 1, 0.5, 0.5, {1, 0, 0}, Vec3::Zero()};
+        const double t = 0.1875, x = 0.3125;  // it touches the floor again, and leaves with (0.5, 0, 0.015625)
+        run.event(EventKind::impact, t, 0, 1, {0, 0, -1}, {0, 0, -0.25});
+        run.event(EventKind::impact, t, 0, 2, {0, 0, 1}, {0, 0, 0.234375});
+        run.event(EventKind::rest, t, 0, 1, {0, 0, -1});
+        run.event(EventKind::rest, t, 0, 2, {0, 0, 1});
+        run.add(0, t, {x, 0, 0.5}, {slides, 0, 0}, Mode::sliding, several_supports);
+        run.add(1, t, {x, 0, 1.5}, {slides, 0, 0}, Mode::sliding, several_supports);
+        return run.examined();
+    };
+    CHECK_HOLDS(ended_with(0.5));
+    CHECK_REFUSED(ended_with(1), "beside its impulses");
+}
+
+TEST_CASE("who rests on a rolling partner may do so until the end of its step, turned by an angle of rounding", "[verify]")
+{
+    Scene scene = empty_scene(1, {0, 0, -1});
+    add_plane(scene, "floor", {0, 0, 1});
+    add_sphere(scene, 0.5, {0, 0, 0.5});
+    add_sphere(scene, 0.5, {0, 0, 1.5});
+    const auto rolling = [&](double begin, double speed) {
+        scene.spheres[0].position.x() = begin;
+        scene.spheres[0].velocity.x() = speed;
+        Handmade run(scene);
+        run.start(Mode::numeric, several_supports);
+        run.start(Mode::resting, several_supports);
+        return run.examined();
+    };
+    CHECK_HOLDS(rolling(0, 1e-5));
+    CHECK_REFUSED(rolling(0, 1e-3), "sphere 1 is held by contacts that cannot push it so");
+    CHECK_REFUSED(rolling(1e-5, 0), "sphere 1 is held by contacts that cannot push it so");
+}
+
 TEST_CASE("numeric pieces are measured where they end and how deep they reach", "[verify]")
 {
     Scene scene = empty_scene(2, {0, 0, -1});
