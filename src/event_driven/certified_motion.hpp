@@ -4,31 +4,10 @@
 /// begin at impacts and nothing asks them to be anything else.
 #pragma once
 
-#include "event_driven/motion.hpp"
-#include "math/dyadic.hpp"
+#include "event_driven/certified_place.hpp"
 #include "toi/enclosure.hpp"
 
 namespace carom {
-
-/// In free flight: nothing but these is advanced and predicted in double-double.
-inline bool flies_freely(const Flight& f)
-{
-    return f.mode == Mode::flying && f.support < 0;
-}
-/// The gap of two such spheres is that of a uniform motion.
-inline bool is_certifiable(const State& state, BodyId a, BodyId b)
-{
-    const Flight &fa = state.flight(a), &fb = state.flight(b);
-    const auto simple = [](const Flight& f) { return flies_freely(f) || f.mode == Mode::fixed; };
-    return simple(fa) && simple(fb) && fa.acceleration == fb.acceleration;
-}
-
-/// A body's flight as if it began at a later time, and the low part of its place.
-struct Flown {
-    Flight flight;
-    Vec3 low = Vec3::Zero();
-};
-Flown flown(const State& state, BodyId body, const EpochTime& now);
 
 /// When a contact comes. `time` is a moment at which the gap is still >= 0, and which the exact time exceeds by the
 /// resolution of a time, or a few of them.
