@@ -11,6 +11,11 @@ namespace {
 /// Of the speeds of the bodies that impulses connect: what a solver may leave.
 constexpr double solved = 1e-9;
 
+bool is_push(const Event& event)
+{
+    return event.kind == EventKind::impact || event.kind == EventKind::settle;
+}
+
 std::uint64_t pair_key(BodyId a, BodyId b)
 {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
@@ -35,8 +40,7 @@ void ContactAudit::check(InstantBodies& bodies, std::span<const Event> events)
                 largest_restitution_ = std::max(largest_restitution_, data_.law(event.a, event.b).restitution);
     for (const Event& event : events) {
         count(event);
-        if (event.kind == EventKind::impact || (event.kind != EventKind::guard && event.b < data_.spheres()))
-            check_event(event);
+        if (is_push(event) || (event.kind != EventKind::guard && event.b < data_.spheres())) check_event(event);
     }
     for (const Before& b : bodies.all()) add_up(b);
     const Event* alone = events.size() == 1 && events[0].kind == EventKind::impact ? &events[0] : nullptr;
@@ -109,8 +113,7 @@ void ContactAudit::check_event(const Event& event)
     const bool numeric = a.path.mode == Mode::numeric || (b && b->path.mode == Mode::numeric);
     double allowed = precise ? 64 * u * std::max(at.travel, at.size) : (numeric ? 1e-2 : contact_slack) * radius;
     // Within the height of the rebounds that count as none.
-    const bool pushes = event.kind == EventKind::impact || event.kind == EventKind::settle;
-    if (pushes && !data_.run.certified && closed_a_moment_ago(event))
+    if (is_push(event) && !data_.run.certified && closed_a_moment_ago(event))
         allowed += data_.closing_speed * data_.window / 4;
     const std::string who = "sphere " + std::to_string(event.a);
     if (!(std::abs(at.gap) <= allowed))
@@ -119,6 +122,22 @@ void ContactAudit::check_event(const Event& event)
     if (!((at.normal - event.normal).cwiseAbs().maxCoeff() <= (numeric ? 1e-2 : 32 * u * (1 + at.shake))))
         fail(who + " is pushed along a wrong normal", event.a, event.b);
     if (event.kind == EventKind::impact) check_impulse(event, at, group);
+    if (event.kind == EventKind::settle) check_hold(event, at, group);
+}
+
+/// A contact that is pulled opened slower than v_c, unless impacts beside it pushed it open, and persists.
+void ContactAudit::check_hold(const Event& event, const Geometry& at, const Group& group)
+{
+    const std::string who = "sphere " + std::to_string(event.a);
+    const Vec3& n = group.loose ? event.normal : at.normal;
+    const double before = n.dot(bodies_->speed_before(event.a) - bodies_->speed_before(event.b));
+    const double after = n.dot(bodies_->speed_after(event.a) - bodies_->speed_after(event.b));
+    const double slack =
+        (64 * u * (1 + at.shake) + (group.loose ? 1e-2 : solved)) * bodies_->speeds() + bodies_->settling();
+    if (group.impulses == 0 && !(before <= data_.closing_speed + slack))
+        fail(who + " is held though it leaves at " + figure(before * data_.units.length / data_.units.time), event.a,
+             event.b);
+    if (!(std::abs(after) <= slack)) fail(who + " is held and moves on nevertheless", event.a, event.b);
 }
 
 void ContactAudit::check_impulse(const Event& event, const Geometry& at, const Group& group)

@@ -26,6 +26,7 @@ private:
     Geometry geometry(const Event& event);
     void check_event(const Event& event);
     void check_impulse(const Event& event, const Geometry& at, const Group& group);
+    void check_hold(const Event& event, const Geometry& at, const Group& group);
     /// \returns the restitution that the impulse has: that of the law, or 0 where contacts may be made inelastic
     double check_law(const Event& event, const Vec3& normal, const Group& group);
     bool may_be_inelastic(const Event& event, double closing) const;

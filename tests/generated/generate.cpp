@@ -4,6 +4,7 @@
 #include "support/scenes.hpp"
 
 #include <array>
+#include <cmath>
 #include <functional>
 
 namespace carom::test {
@@ -209,6 +210,20 @@ void mixed(Builder& b)
     b.scene.materials[0].restitution = b.random.uniform(0, 0.5);
 }
 
+/// The same scene of smaller grains. The kinds are drawn with radii of centimetres: pebbles, which roll for seconds. What
+/// people simulate is powder to gravel. Under gravity times shrink by sqrt(factor), so that most of them come to rest.
+void resize(Scene& scene, double factor)
+{
+    const double speeds = scene.gravity.isZero(0) ? factor : std::sqrt(factor);
+    for (Sphere& s : scene.spheres) {
+        s.radius *= factor;
+        s.position *= factor;
+        s.velocity *= speeds;
+        s.mass *= factor * factor * factor;
+    }
+    for (Plane& p : scene.planes) p.offset *= factor;
+}
+
 struct Kind {
     const char* name;
     void (*build)(Builder&);
@@ -231,6 +246,7 @@ GeneratedScene generate_scene(std::uint64_t seed, std::uint64_t index)
     for (std::uint64_t attempt = 0;; ++attempt) {
         Builder builder((seed * spread + index) * spread + attempt);
         kind.build(builder);
+        resize(builder.scene, builder.random.log_uniform(0.0005, 0.05));
         builder.scene.name = std::string(kind.name) + " " + std::to_string(seed) + "/" + std::to_string(index);
         bool moves = false;
         for (const Sphere& s : builder.scene.spheres) moves = moves || !s.fixed;

@@ -373,3 +373,27 @@ TEST_CASE("a settle is an impulse: forged ones are seen in the speeds", "[verify
     for (BodyId i = 0; i < 2; ++i) held.add(i, 1, {0, 0, 0.5 + i}, {0, 0, 0}, Mode::resting, several_supports);
     CHECK_REFUSED(held.examined(), "beside its impulses");
 }
+
+TEST_CASE("what is held opened slower than v_c, and stays", "[verify]")
+{
+    const double v_c = 0.25;
+    const auto held = [&](double opening, double left) {
+        Scene scene = empty_scene(2, Vec3::Zero(), 0.5);
+        scene.rest.closing_speed = v_c;
+        scene.rest.window = 0.25;
+        add_sphere(scene, 0.5, {-1, 0, 0}, {-opening, 0, 0});
+        add_sphere(scene, 0.5, {0, 0, 0});
+        Handmade run(scene);
+        for (int i = 0; i < 2; ++i) run.start(Mode::flying).acceleration = 0;
+        run.event(EventKind::settle, 0, 0, 1, {-1, 0, 0}, {(opening - left) / 2, 0, 0});
+        const double v0 = -(opening + left) / 2, v1 = -(opening - left) / 2;
+        const Mode mode = left == 0 ? Mode::sliding : Mode::flying;
+        const int support = left == 0 ? several_supports : -1;
+        run.add(0, 0, {-1, 0, 0}, {v0, 0, 0}, mode, support).acceleration = 0;
+        run.add(1, 0, {0, 0, 0}, {v1, 0, 0}, mode, support).acceleration = 0;
+        return run.examined();
+    };
+    CHECK_HOLDS(held(0.99 * v_c, 0));
+    CHECK_REFUSED(held(1.01 * v_c, 0), "is held though it leaves at 0.25");
+    CHECK_REFUSED(held(0.5 * v_c, 0.01 * v_c), "is held and moves on nevertheless");
+}
