@@ -10,6 +10,10 @@ namespace {
 using Numbers = std::vector<double>;
 using Vectors = std::vector<Vec3>;
 
+/// How much larger than what is wanted a change may be. A tower of a thousand needs 640 at most. A sphere pinched
+/// between two that give way by nothing can close both gaps as well, a few radii aside, where their normals differ.
+constexpr double stretch = 0x1p12;
+
 double square(const Numbers& x)
 {
     double sum = 0;
@@ -90,6 +94,7 @@ EqualisingChange equalising_change(const Cluster& cluster, std::span<const doubl
     const double enough = 0x1p-106 * square(residual);  // squares: the rounding of what is wanted
     const std::size_t most = 20 + 2 * (wanted.size() + 3 * u.size());
     double left = square(residual);
+    const double far = stretch * stretch * left;
     for (std::size_t step = 0; step < most && size > enough; ++step) {
         const Numbers image = rows.times(direction);
         const double length = size / square(image);
@@ -100,7 +105,10 @@ EqualisingChange equalising_change(const Cluster& cluster, std::span<const doubl
         const double next_left = square(next_residual);
         if (!(next_left < left)) break;
         left = next_left;
-        for (std::size_t k = 0; k < u.size(); ++k) u[k] += length * direction[k];
+        Vectors next_u = u;
+        for (std::size_t k = 0; k < u.size(); ++k) next_u[k] += length * direction[k];
+        if (!(square(next_u) <= far)) break;
+        u = std::move(next_u);
         for (std::size_t i = 0; i < residual.size(); ++i) x[i] += length * combination[i];
         residual = std::move(next_residual);
         const Vectors gradient = rows.transposed_times(residual);

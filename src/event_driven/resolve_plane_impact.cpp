@@ -47,7 +47,6 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     const auto approaches = [&] {
         return certified ? exact_plane_sign(normal, f.velocity) < 0 : normal.dot(f.velocity) < 0;
     };
-    const double gravity = -normal.dot(state.accelerations[f.acceleration]);  // > 0 presses
 
     Event impact{EventKind::impact, {}, 0, id, key.b, normal, Vec3::Zero()};
     if (approaches()) {
@@ -59,6 +58,7 @@ Resolution resolve_plane_impact(const State& state, const Key& key, const Neighb
     const SupportAfterImpact support = keep_to_support(state, f);
     if (support == SupportAfterImpact::released) out.events.push_back(release_event(state, id, state.flight(id)));
     if (support == SupportAfterImpact::pushed) return coupled();
+    const double gravity = -normal.dot(state.accelerations[f.acceleration]);  // > 0 presses, as it goes on
     double nudge = 4 * unit_roundoff * std::sqrt(f.velocity.squaredNorm());
     for (int i = 0; i < most_nudges && approaches(); ++i, nudge *= 2) f.velocity += nudge * normal;
 

@@ -36,7 +36,7 @@ void Tally::add(std::uint64_t index, const std::string& kind, const Trial& t)
     ++statuses_[t.ended ? name(t.status) : "crashed or hung"];
     no_status_ += t.ended ? 0 : 1;
     lost_ += t.lost;
-    deeper_ += wrong == "deeper than stated" ? 1 : 0;
+    deeper_ += wrong == "deeper than stated" || wrong == "sunk" ? 1 : 0;
     closed_form_ += t.closed_form;
     numeric_ += t.numeric;
     guarded_ += t.guarded;
@@ -74,7 +74,7 @@ std::string Tally::table(double seconds) const
     text += line("body-seconds     closed form %.4f %%, numeric %.4f %%, guarded %.4f %%\n",
                  100 * share(closed_form_, bodies), 100 * share(numeric_, bodies), 100 * share(guarded_, bodies));
     text += line("spheres lost     %lld\n", lost_);
-    text += line("deepest          %.3g r (scene %llu); deeper than stated in %lld scenes\n", penetration_.value,
+    text += line("deepest          %.3g r (scene %llu); deeper than stated, or sunk, in %lld scenes\n", penetration_.value,
                  static_cast<unsigned long long>(penetration_.index), deeper_);
     return text + (targets_met() ? "targets met\n" : "targets MISSED\n");
 }

@@ -121,10 +121,12 @@ Trial run_trial(const Scene& scene, double seconds)
 std::string complaint(const Trial& trial)
 {
     constexpr double touching = 1e-9;  // persistent contacts are within it
+    constexpr double sunk = 1e-2;      // of a radius: no numeric step does that
     if (!trial.ended) return "crashed or hung";
     if (trial.status != Status::reached_end) return name(trial.status);
     if (trial.lost > 0) return "lost spheres";
     if (trial.busiest_window > 1) return "more impacts than the bound";
+    if (trial.counts.guarded == 0 && trial.stated > sunk) return "sunk";
     if (trial.penetration > std::max(1.01 * touching, 1.01 * trial.stated)) return "deeper than stated";
     return "";
 }

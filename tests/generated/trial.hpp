@@ -27,7 +27,7 @@ struct Trial {
 Trial run_trial(const Scene& scene, double seconds);
 
 /// What is wrong with it, empty if nothing: a status other than reached_end, a lost sphere, too many impacts, a
-/// penetration deeper than 1e-9 radii and than what the run stated.
+/// penetration deeper than 1e-9 radii and than what the run stated, or one of 1e-2 radii that no guard made.
 std::string complaint(const Trial& trial);
 
 }  // namespace carom::test

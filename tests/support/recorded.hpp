@@ -164,4 +164,16 @@ Real smallest_gap(const MemorySource& source)
     return smallest;
 }
 
+inline std::string first_violation(const Certificate& c)
+{
+    return c.violations.empty() ? std::string() : c.violations.front().what;
+}
+
+inline Certificate examined(MemorySource source, bool all_pairs = false)
+{
+    VerifyOptions options;
+    options.all_pairs = all_pairs;
+    return verify(source, options);
+}
+
 }  // namespace carom::test

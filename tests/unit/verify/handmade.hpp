@@ -62,11 +62,6 @@ private:
     Scene scene_;
 };
 
-inline std::string first_violation(const Certificate& c)
-{
-    return c.violations.empty() ? std::string() : c.violations.front().what;
-}
-
 #define CHECK_HOLDS(certificate)                       \
     do {                                               \
         const Certificate checked = certificate;       \

@@ -10,18 +10,6 @@ using namespace carom::test;
 
 namespace {
 
-Certificate examined(MemorySource source, bool all_pairs = false)
-{
-    VerifyOptions options;
-    options.all_pairs = all_pairs;
-    return verify(source, options);
-}
-
-std::string first_violation(const Certificate& c)
-{
-    return c.violations.empty() ? std::string() : c.violations.front().what;
-}
-
 Scene bouncing_ball()
 {
     Scene scene = empty_scene(5, earth, 0.8);
