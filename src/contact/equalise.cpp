@@ -1,5 +1,6 @@
 #include "contact/equalise.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,7 +11,7 @@ namespace {
 using Numbers = std::vector<double>;
 using Vectors = std::vector<Vec3>;
 
-/// How much larger than what is wanted a change may be. A tower of a thousand needs 640 at most. A sphere pinched
+/// How much further than the widest gap that is to close (or the fastest) a body may go. A tower of a thousand needs 640 at most. A sphere pinched
 /// between two that give way by nothing can close both gaps as well, a few radii aside, where their normals differ.
 constexpr double stretch = 0x1p12;
 
@@ -43,6 +44,14 @@ public:
 
     double scale(std::size_t contact) const { return scale_[contact]; }
     double lightness(std::size_t body) const { return lightness_[body]; }
+
+    /// Of the changes that u stands for, the longest.
+    double largest(const Vectors& u) const
+    {
+        double out = 0;
+        for (std::size_t k = 0; k < u.size(); ++k) out = std::max(out, lightness_[k] * u[k].norm());
+        return out;
+    }
 
     Numbers times(const Vectors& u) const
     {
@@ -94,7 +103,8 @@ EqualisingChange equalising_change(const Cluster& cluster, std::span<const doubl
     const double enough = 0x1p-106 * square(residual);  // squares: the rounding of what is wanted
     const std::size_t most = 20 + 2 * (wanted.size() + 3 * u.size());
     double left = square(residual);
-    const double far = stretch * stretch * left;
+    double far = 0;
+    for (const double each : wanted) far = std::max(far, stretch * std::abs(each));
     for (std::size_t step = 0; step < most && size > enough; ++step) {
         const Numbers image = rows.times(direction);
         const double length = size / square(image);
@@ -107,7 +117,7 @@ EqualisingChange equalising_change(const Cluster& cluster, std::span<const doubl
         left = next_left;
         Vectors next_u = u;
         for (std::size_t k = 0; k < u.size(); ++k) next_u[k] += length * direction[k];
-        if (!(square(next_u) <= far)) break;
+        if (!(rows.largest(next_u) <= far)) break;
         u = std::move(next_u);
         for (std::size_t i = 0; i < residual.size(); ++i) x[i] += length * combination[i];
         residual = std::move(next_residual);

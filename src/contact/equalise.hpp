@@ -16,8 +16,8 @@ struct EqualisingChange {
 
 /// min sum m |d|^2 with n_i.(d_a - d_b) = wanted_i for all contacts, in the sense of least squares
 /// where contacts contradict one another. CGLS (Hestenes and Stiefel 1952; Bjoerck, Numerical Methods for Least Squares
-/// Problems, 1996, section 7.4), which redundant contacts do no harm; work is bounded, and so is the change: 4096 times as
-/// large as what is wanted at most (in the mass metric), which leaves out what contacts that nearly contradict would ask.
+/// Problems, 1996, section 7.4), which redundant contacts do no harm; work is bounded, and so is the change: no
+/// body goes further than 4096 times the largest that is wanted, as it would between contacts that nearly contradict.
 EqualisingChange equalising_change(const Cluster& cluster, std::span<const double> wanted);
 
 }  // namespace carom

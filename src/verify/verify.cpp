@@ -5,6 +5,7 @@
 #include "verify/impact_audit.hpp"
 
 #include <bit>
+#include <unordered_set>
 
 namespace carom {
 
@@ -150,8 +151,37 @@ private:
         coverage_.advance(now_);
         for (const FlightRecord& flight : instant.flights)
             if (flight.body < 0 || flight.body >= data_.spheres()) return impossible("a flight of nobody", flight.body);
-        audit_.begin(instant.events, instant.flights, now_);
-        for (const FlightRecord& flight : instant.flights) {
+        std::span<const Event> events = instant.events;
+        for (std::span<const FlightRecord> left = instant.flights; !left.empty() || !events.empty();) {
+            const std::size_t count = until_repeated(left);
+            if (!change(events, left.first(count))) return false;
+            left = left.subspan(count);
+            events = {};
+        }
+        return true;
+    }
+
+    /// How many flights there are before one of a body that has begun one already. Without an event between them: two
+    /// numeric pieces, the first of bodies that those of the second join. (The guard takes over in the same breath.)
+    static std::size_t until_repeated(std::span<const FlightRecord> flights)
+    {
+        constexpr std::size_t few = 8;
+        if (flights.size() <= few) {
+            for (std::size_t i = 1; i < flights.size(); ++i)
+                for (std::size_t k = 0; k < i; ++k)
+                    if (flights[k].body == flights[i].body && !flights[i].guarded) return i;
+            return flights.size();
+        }
+        std::unordered_set<BodyId> seen;
+        for (std::size_t i = 0; i < flights.size(); ++i)
+            if (!seen.insert(flights[i].body).second && !flights[i].guarded) return i;
+        return flights.size();
+    }
+
+    bool change(std::span<const Event> events, std::span<const FlightRecord> flights)
+    {
+        audit_.begin(events, flights, now_);
+        for (const FlightRecord& flight : flights) {
             auto accepted = accept(data_, findings_, flight);
             if (!accepted) return false;
             coverage_.close(flight.body, now_);
@@ -162,7 +192,7 @@ private:
             audit_.change(flight.body);
         }
         audit_.end();
-        for (const FlightRecord& flight : instant.flights)
+        for (const FlightRecord& flight : flights)
             coverage_.check_support(flight.body, now_, Coverage::Edge::begins);
         return true;
     }

@@ -374,6 +374,30 @@ TEST_CASE("a settle is an impulse: forged ones are seen in the speeds", "[verify
     CHECK_REFUSED(held.examined(), "beside its impulses");
 }
 
+TEST_CASE("numeric pieces may follow one another at one instant, where others join; flights may not", "[verify]")
+{
+    Scene scene = empty_scene(2, {0, 0, -1});
+    add_sphere(scene, 0.5, {0, 0, 2}, {1, 0, 0});
+    add_sphere(scene, 0.5, {0, 0, 1});
+    scene.spheres[1].fixed = true;
+    const auto twice = [&](Mode mode, int others) {
+        Handmade made(scene);
+        const bool rolls = mode == Mode::numeric;
+        const int support = rolls ? several_supports : -1;
+        const Vec3 own = rolls ? Vec3(0, 0, -0.5) : Vec3::Zero();
+        made.start(mode, support, own);
+        made.start(Mode::fixed);
+        const double a = rolls ? 0.5 : 1;
+        for (int i = 0; i < 2; ++i) made.add(0, 1, {1, 0, 2 - a / 2}, {1, 0, -a}, mode, support, own);
+        for (int i = 0; i < others; ++i) made.add(0, 1, {1, 0, 2 - a / 2}, {1, 0, -a}, mode, support, own);
+        return made.examined();
+    };
+    for (const int others : {0, 8}) {
+        CHECK_HOLDS(twice(Mode::numeric, others));
+        CHECK_REFUSED(twice(Mode::flying, others), "changes its flight without an event");
+    }
+}
+
 TEST_CASE("what is held opened slower than v_c, and stays", "[verify]")
 {
     const double v_c = 0.25;
