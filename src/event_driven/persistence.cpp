@@ -56,7 +56,7 @@ bool Persistence::turns(std::size_t contact) const
     const Vec3& of_a = acceleration_[static_cast<std::size_t>(a(contact))];
     const Vec3 relative =
         b(contact) == immovable ? of_a : Vec3(of_a - acceleration_[static_cast<std::size_t>(b(contact))]);
-    return length(relative_velocity(contact)) > slow_ || length(relative) > 4 * soft_;
+    return length(relative_velocity(contact)) > slow_ || length(relative) > same_;
 }
 
 void Persistence::release(std::vector<char> opens)
@@ -250,7 +250,7 @@ void Persistence::bring_to_rest()
     for (std::size_t k = 0; k < component_.bodies.size(); ++k) {
         if (!is_held[k]) continue;
         Vec3 &v = component_.flights[k].velocity, &acceleration = acceleration_[k];
-        if (length(acceleration) <= soft_) acceleration = Vec3::Zero();
+        if (length(acceleration) <= same_) acceleration = Vec3::Zero();
         if (acceleration.isZero(0) && length(v) <= slow_) v = Vec3::Zero();
     }
 }

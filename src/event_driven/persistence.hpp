@@ -27,7 +27,7 @@ public:
     bool rests(std::size_t body) const;
     /// Does the normal turn? Then what the contact carries has no closed form.
     bool turns(std::size_t contact) const;
-    double soft() const { return soft_; }  ///< accelerations up to this are 0 [length/time^2]
+    double soft() const { return soft_; }  ///< with less nothing opens a contact [length/time^2]
 
     /// These persist no more, for good, and open from here on. \param opens by contact
     void release(std::vector<char> opens);
@@ -62,7 +62,10 @@ private:
     const std::vector<ClusterContact> links_;  ///< the contacts as clusters have them
     const Vec3 gravity_;
     const double slow_;               ///< contacts no faster than this neither open nor close [length/time]
-    const double soft_;
+    const double soft_;               ///< nothing opens a contact with less acceleration than this [length/time^2]
+    /// Accelerations of bodies in contact are the same within this, and are 0. (One threshold for both: otherwise one
+    /// body rests while the other leaves it.)
+    const double same_ = 4 * soft_;
     std::vector<char> persists_;      ///< by contact
     std::vector<double> force_;       ///< by contact
     std::vector<double> opening_;     ///< by contact, d2 gap / dt2 [length/time^2]

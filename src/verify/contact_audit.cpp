@@ -38,6 +38,11 @@ void ContactAudit::check(InstantBodies& bodies, std::span<const Event> events)
         for (const Event& event : events)
             if (event.kind == EventKind::impact)
                 largest_restitution_ = std::max(largest_restitution_, data_.law(event.a, event.b).restitution);
+    const double still_enough = bodies.settling();
+    closes_ = std::any_of(events.begin(), events.end(), [&](const Event& event) {
+        return is_push(event) &&
+               event.normal.dot(bodies.speed_before(event.a) - bodies.speed_before(event.b)) < -still_enough;
+    });
     for (const Event& event : events) {
         count(event);
         if (is_push(event) || (event.kind != EventKind::guard && event.b < data_.spheres())) check_event(event);
@@ -125,7 +130,8 @@ void ContactAudit::check_event(const Event& event)
     if (event.kind == EventKind::settle) check_hold(event, at, group);
 }
 
-/// A contact that is pulled opened slower than v_c, unless impacts beside it pushed it open, and persists.
+/// A contact that is pulled opened slower than v_c and persists. (Unless a contact of the instant closed: what it
+/// pushed may have made others slower. Its own impulse may be a pull in the end, all in all.)
 void ContactAudit::check_hold(const Event& event, const Geometry& at, const Group& group)
 {
     const std::string who = "sphere " + std::to_string(event.a);
@@ -134,7 +140,7 @@ void ContactAudit::check_hold(const Event& event, const Geometry& at, const Grou
     const double after = n.dot(bodies_->speed_after(event.a) - bodies_->speed_after(event.b));
     const double slack =
         (64 * u * (1 + at.shake) + (group.loose ? 1e-2 : solved)) * bodies_->speeds() + bodies_->settling();
-    if (group.impulses == 0 && !(before <= data_.closing_speed + slack))
+    if (!closes_ && !(before <= data_.closing_speed + slack))
         fail(who + " is held though it leaves at " + figure(before * data_.units.length / data_.units.time), event.a,
              event.b);
     if (!(std::abs(after) <= slack)) fail(who + " is held and moves on nevertheless", event.a, event.b);
@@ -185,8 +191,8 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
         found = error(0);
         used = 0;
     }
-    // A rebound slower than v_c may be held, all of it or in part. (A sphere alone on a plane sums its bounces: it rests
-    // without an impact at that instant.)
+    // A rebound slower than v_c may be held, all of it or in part. (A sphere alone on a plane sums its bounces: it
+    // rests without an impact at that instant.)
     constexpr double margin = 1 + 1e-9;
     const auto is_held = [&](BodyId body) {
         const int support = body < data_.spheres() ? flights_.path(body).support : -1;

@@ -45,6 +45,7 @@ private:
     Findings& findings_;
     InstantBodies* bodies_ = nullptr;
     bool several_ = false;                                 ///< impulses at the present instant
+    bool closes_ = false;                                  ///< does any contact of the instant, before it?
     double largest_restitution_ = 0;                       ///< of them, if there are several
     double restitution_ = 1;                               ///< that the last impulse examined had
     std::unordered_map<std::uint64_t, EpochTime> closed_;  ///< contacts with e < 1 that closed within tau_p
