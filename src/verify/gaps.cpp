@@ -182,7 +182,7 @@ void Gaps::count(BodyId body, const EpochTime& now)
     std::uint8_t& past = past_[static_cast<std::size_t>(body)];
     if (path.mode == Mode::numeric)
         past = left_by_numeric;
-    else if (past == 0 && is_held_by_several(path))
+    else if (past == 0 && is_held(path))
         past = left_by_contacts;
     std::uint8_t& kept = grades_[static_cast<std::size_t>(body)];
     const auto grade = static_cast<Grade>(kept);

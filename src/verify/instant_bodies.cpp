@@ -70,7 +70,10 @@ void InstantBodies::begin(std::span<const Event> events, std::span<const FlightR
     stirred_ = !events.empty() || now == EpochTime{};  // contacts of the start persist without a word
     coupled_ = events.size() > 1;
     for (const Event& event : events) take(event);
-    for (const FlightRecord& flight : flights) before(flight.body);
+    for (const FlightRecord& flight : flights) {
+        // Of a contact that is resolved with the others the impulse may be too small for an event.
+        if (!before(flight.body).named && !events.empty()) coupled_ = true;
+    }
     seen_ = seen_ || coupled_;
 }
 
