@@ -44,6 +44,7 @@ private:
     const Flights& flights_;
     Findings& findings_;
     InstantBodies* bodies_ = nullptr;
+    std::span<const Event> events_;                        ///< of the present instant
     bool several_ = false;                                 ///< impulses at the present instant
     bool closes_ = false;                                  ///< does any contact of the instant, before it?
     double largest_restitution_ = 0;                       ///< of them, if there are several
