@@ -374,6 +374,22 @@ TEST_CASE("a settle is an impulse: forged ones are seen in the speeds", "[verify
     CHECK_REFUSED(held.examined(), "beside its impulses");
 }
 
+TEST_CASE("an impulse acts at a gap only where the contact has closed a moment ago", "[verify]")
+{
+    Scene scene = empty_scene(2, Vec3::Zero(), 0.5);
+    scene.rest.closing_speed = 0.25;
+    scene.rest.window = 0.25;
+    const double gap = 0.015;  // less than 0.25 * 0.25 / 4
+    add_sphere(scene, 0.5, {-2 - gap, 0, 0}, {1, 0, 0});
+    add_sphere(scene, 0.5, {0, 0, 0});
+    Handmade run(scene);
+    for (int i = 0; i < 2; ++i) run.start(Mode::flying).acceleration = 0;
+    run.event(EventKind::impact, 1, 0, 1, {-1, 0, 0}, {-0.75, 0, 0});
+    run.add(0, 1, {-1 - gap, 0, 0}, {0.25, 0, 0}, Mode::flying).acceleration = 0;
+    run.add(1, 1, {0, 0, 0}, {0.75, 0, 0}, Mode::flying).acceleration = 0;
+    CHECK_REFUSED(run.examined(), "is pushed at a gap of 0.015");
+}
+
 TEST_CASE("numeric pieces may follow one another at one instant, where others join; flights may not", "[verify]")
 {
     Scene scene = empty_scene(2, {0, 0, -1});
