@@ -47,6 +47,7 @@ private:
     std::span<const Event> events_;                        ///< of the present instant
     bool several_ = false;                                 ///< impulses at the present instant
     bool closes_ = false;                                  ///< does any contact of the instant, before it?
+    bool holds_ = false;                                   ///< are there pulls at the present instant?
     double largest_restitution_ = 0;                       ///< of them, if there are several
     double restitution_ = 1;                               ///< that the last impulse examined had
     std::unordered_map<std::uint64_t, EpochTime> closed_;  ///< contacts with e < 1 that closed within tau_p
