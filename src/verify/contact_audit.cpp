@@ -300,6 +300,8 @@ void ContactAudit::check_group(const Group& group, const Event* alone)
     const double slack = 64 * u * group.energy + group.swallowed + (group.coupled ? hidden * group.energy : 0) +
                          group.mass * slow * slow;
     double expected = 0;
+    // Where contacts are held, what connects a group with others may be pulled back as it was pushed, without an event:
+    // there the energy of all is looked at.
     if (plain) {
         const Vec3 relative = bodies_->speed_before(alone->a) - bodies_->speed_before(alone->b);
         const Vec3& n = alone->normal;
@@ -312,8 +314,7 @@ void ContactAudit::check_group(const Group& group, const Event* alone)
         if (group.energy > 0)
             Findings::keep_largest(findings_.out.largest_energy_error,
                                    std::abs(group.change - expected) / group.energy);
-    } else if (!holds_ &&
-               !(group.change <= slack)) {  // what is held may be pulled back as it was pushed, without an event
+    } else if (!holds_ && !(group.change <= slack)) {
         fail("impacts at one instant gain energy, " + figure(group.change / group.energy), group.first, group.second);
     }
     if (group.supported || group.coupled) return;  // of each body by itself: check_speed
