@@ -11,8 +11,9 @@ namespace {
 using Numbers = std::vector<double>;
 using Vectors = std::vector<Vec3>;
 
-/// How much further than the widest gap that is to close (or the fastest) a body may go. A tower of a thousand needs 640 at most. A sphere pinched
-/// between two that give way by nothing can close both gaps as well, a few radii aside, where their normals differ.
+/// How much further than the widest gap that is to close (or the fastest) a body may go: a tower of a thousand needs 640
+/// (1000 * 2 / pi, from its smallest singular value). A sphere pinched between two that do not give way could close both
+/// gaps a few radii aside, where their normals differ.
 constexpr double stretch = 0x1p12;
 
 double square(const Numbers& x)

@@ -39,13 +39,12 @@ void ContactAudit::check(InstantBodies& bodies, std::span<const Event> events)
         for (const Event& event : events)
             if (event.kind == EventKind::impact)
                 largest_restitution_ = std::max(largest_restitution_, data_.law(event.a, event.b).restitution);
-    const double still_enough = bodies.settling();
-    closes_ = std::any_of(events.begin(), events.end(), [&](const Event& event) {
-        return is_push(event) &&
-               event.normal.dot(bodies.speed_before(event.a) - bodies.speed_before(event.b)) < -still_enough;
-    });
     holds_ =
         std::any_of(events.begin(), events.end(), [](const Event& event) { return event.kind == EventKind::settle; });
+    closes_ = holds_ && std::any_of(events.begin(), events.end(), [&](const Event& event) {
+                  const Vec3 relative = bodies.speed_before(event.a) - bodies.speed_before(event.b);
+                  return is_push(event) && event.normal.dot(relative) < -bodies.settling();
+              });
     for (const Event& event : events) {
         count(event);
         if (is_push(event) || (event.kind != EventKind::guard && event.b < data_.spheres())) check_event(event);

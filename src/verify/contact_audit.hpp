@@ -46,7 +46,7 @@ private:
     InstantBodies* bodies_ = nullptr;
     std::span<const Event> events_;                        ///< of the present instant
     bool several_ = false;                                 ///< impulses at the present instant
-    bool closes_ = false;                                  ///< does any contact of the instant, before it?
+    bool closes_ = false;                                  ///< does a contact of an instant with pulls, before it?
     bool holds_ = false;                                   ///< are there pulls at the present instant?
     double largest_restitution_ = 0;                       ///< of them, if there are several
     double restitution_ = 1;                               ///< that the last impulse examined had
