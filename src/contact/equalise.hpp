@@ -14,9 +14,8 @@ struct EqualisingChange {
         impulses;  ///< by contact, along the normal on a: they make the change (not always the only ones)
 };
 
-/// min sum m |d|^2 with n_i.(d_a - d_b) = wanted_i for all contacts, in the sense of least squares
-/// where contacts contradict one another. CGLS (Hestenes and Stiefel 1952; Bjoerck, Numerical Methods for Least Squares
-/// Problems, 1996, section 7.4), which redundant contacts do no harm; work is bounded, and so is the change: no
+/// min sum m |d|^2 with n_i.(d_a - d_b) = wanted_i for all contacts, in the sense of least squares where contacts
+/// contradict one another (see shortest_change). Redundant contacts do no harm; work is bounded, and so is the change: no
 /// body goes further than 4096 times the largest that is wanted, as it would between contacts that nearly contradict.
 EqualisingChange equalising_change(const Cluster& cluster, std::span<const double> wanted);
 

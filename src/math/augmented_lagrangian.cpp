@@ -1,9 +1,8 @@
 #include "math/augmented_lagrangian.hpp"
 
-#include "math/block_cholesky.hpp"
+#include "math/active_factor.hpp"
 #include "math/gauss_seidel.hpp"
 #include "math/line_search.hpp"
-#include "math/unit_normals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,16 +28,16 @@ constexpr int most_inner_steps = 60;
 constexpr int most_steps = 1000;
 constexpr double tolerances = 100;
 constexpr double gradient_rounding = 1e-14;
-/// A multiplication of an update takes as long as so many of a factorisation (memory).
-constexpr double update_price = 2.5;
 
 class AugmentedLagrangian {
 public:
     explicit AugmentedLagrangian(const ProjectionProblem& problem)
-        : problem_(problem), cholesky_(static_cast<int>(problem.start.size()), edges(problem))
+        : problem_(problem),
+          normals_(unit_normals(problem)),
+          factor_(problem.start.size(), normals_),
+          slack_(normals_.size())
     {
-        for (const HalfSpace& h : problem.half_spaces) normals_.emplace_back(h, problem.w);
-        slack_.resize(normals_.size());
+        factor_.take_epsilon(first_epsilon);
     }
 
     AugmentedLagrangianResult solve(std::span<const double> guess)
@@ -59,33 +58,21 @@ public:
             const bool was_easy = converged && out_.newton_steps - before <= easy;
             place_point();
             const double left = largest_error();
-            if (was_easy && left > good_round * error && epsilon_ > last_epsilon)
-                take_epsilon(std::max(last_epsilon, epsilon_factor * epsilon_));
-            else if (!converged && epsilon_ < first_epsilon)
-                take_epsilon(epsilon_ / epsilon_factor);
+            if (was_easy && left > good_round * error && factor_.epsilon() > last_epsilon)
+                factor_.take_epsilon(std::max(last_epsilon, epsilon_factor * factor_.epsilon()));
+            else if (!converged && factor_.epsilon() < first_epsilon)
+                factor_.take_epsilon(factor_.epsilon() / epsilon_factor);
             improves = left < error / 2;
             error = left;
         }
         out_.projection.steps = out_.newton_steps;
         out_.projection.complete = is_solved(tolerances);
+        out_.factorisations = factor_.factorisations();
+        out_.updates = factor_.updates();
         return std::move(out_);
     }
 
 private:
-    static std::vector<std::pair<int, int>> edges(const ProjectionProblem& problem)
-    {
-        std::vector<std::pair<int, int>> out;
-        for (const HalfSpace& h : problem.half_spaces)
-            if (h.b >= 0) out.emplace_back(h.a, h.b);
-        return out;
-    }
-
-    void take_epsilon(double epsilon)
-    {
-        epsilon_ = epsilon;
-        factored_.clear();
-    }
-
     /// The point that the multipliers give, and the slacks that it really has. Half a tolerance is granted to all, so
     /// that what only touches does not come and go with rounding.
     void place_point()
@@ -122,11 +109,12 @@ private:
     /// the positive t_i. \returns whether the minimum was reached
     bool minimise()
     {
+        const double epsilon = factor_.epsilon();
         UnitVectors y(problem_.start.size(), BlockCholesky::Vector{});
         std::vector<double> t(normals_.size()), rate(normals_.size());
         for (std::size_t i = 0; i < normals_.size(); ++i) {
             if (multiplier_[i] > 0) normals_[i].add_to(y, multiplier_[i]);
-            t[i] = multiplier_[i] - slack_[i] / epsilon_;
+            t[i] = multiplier_[i] - slack_[i] / epsilon;
         }
         bool whole_step = false, converged = false;
         for (int step = 0; step < most_inner_steps && !converged; ++step) {
@@ -139,22 +127,22 @@ private:
                 normals_[i].add_to(gradient, -t[i]);
                 size = std::max(size, t[i]);
             }
-            const bool same_set = factored_ == active;
+            const bool same_set = factor_.is_of(active);
             converged = step > 0 && ((same_set && whole_step) || largest(gradient) <= gradient_rounding * size);
             if (converged) break;
-            if (!same_set) follow(active);
-            cholesky_.solve(gradient);
+            factor_.follow(active);
+            factor_.solve(gradient);
             for (BlockCholesky::Vector& d : gradient)
                 for (double& x : d) x = -x;
             const UnitVectors& direction = gradient;
             for (std::size_t i = 0; i < normals_.size(); ++i) rate[i] = normals_[i].dot(direction);
-            const double tau = line_search(y, direction, t, rate, epsilon_);
+            const double tau = line_search(y, direction, t, rate, epsilon);
             whole_step = std::abs(tau - 1) < 1e-9;
             for (std::size_t k = 0; k < y.size(); ++k)
                 for (std::size_t c = 0; c < 3; ++c) y[k][c] += tau * direction[k][c];
             for (std::size_t i = 0; i < normals_.size(); ++i) {
                 slack_[i] += tau * rate[i];
-                t[i] = multiplier_[i] - slack_[i] / epsilon_;
+                t[i] = multiplier_[i] - slack_[i] / epsilon;
             }
             ++out_.newton_steps;
         }
@@ -170,36 +158,10 @@ private:
         return out;
     }
 
-    /// The factor of I + sum a_i a_i^T / epsilon over the active ones.
-    void follow(const std::vector<char>& active)
-    {
-        const double scale = 1 / std::sqrt(epsilon_);
-        std::vector<std::size_t> changed;
-        double cost = 0;
-        for (std::size_t i = 0; i < factored_.size(); ++i)
-            if (active[i] != factored_[i]) {
-                changed.push_back(i);
-                cost += update_price * cholesky_.update_cost(normals_[i]);
-            }
-        if (factored_.empty() || cost > cholesky_.factor_cost()) {
-            std::vector<BlockCholesky::Column> columns;
-            for (std::size_t i = 0; i < active.size(); ++i)
-                if (active[i]) columns.push_back(normals_[i].scaled(scale));
-            cholesky_.factor(columns);
-            ++out_.factorisations;
-        } else {
-            for (const std::size_t i : changed) cholesky_.update(normals_[i].scaled(scale), active[i] ? 1 : -1);
-            out_.updates += static_cast<int>(changed.size());
-        }
-        factored_ = active;
-    }
-
     const ProjectionProblem& problem_;
-    BlockCholesky cholesky_;
-    double epsilon_ = first_epsilon;
-    std::vector<UnitNormal> normals_;
+    const std::vector<UnitNormal> normals_;
+    ActiveFactor factor_;
     std::vector<double> multiplier_, slack_;  ///< of unit normals
-    std::vector<char> factored_;              ///< the active ones that the factor is of
     AugmentedLagrangianResult out_;
 };
 

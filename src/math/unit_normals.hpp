@@ -51,4 +51,12 @@ struct UnitNormal : BlockCholesky::Column {
     }
 };
 
+inline std::vector<UnitNormal> unit_normals(const ProjectionProblem& problem)
+{
+    std::vector<UnitNormal> out;
+    out.reserve(problem.half_spaces.size());
+    for (const HalfSpace& h : problem.half_spaces) out.emplace_back(h, problem.w);
+    return out;
+}
+
 }  // namespace carom
