@@ -9,6 +9,9 @@
 
 namespace carom {
 
+/// Slacks of problems that sparse factors solve are satisfied within so many tolerances.
+inline constexpr double sparse_tolerances = 100;
+
 /// Of I + sum a_i a_i^T / epsilon over the active ones among unit normals a_i. Dependent ones need no care: it is the
 /// unit matrix and more.
 class ActiveFactor {

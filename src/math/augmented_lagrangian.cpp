@@ -26,7 +26,6 @@ constexpr int first_sweeps = 30;
 constexpr int most_rounds = 200;
 constexpr int most_inner_steps = 60;
 constexpr int most_steps = 1000;
-constexpr double tolerances = 100;
 constexpr double gradient_rounding = 1e-14;
 
 class AugmentedLagrangian {
@@ -52,7 +51,7 @@ public:
         bool improves = true;
         for (int round = 0; round < most_rounds && out_.newton_steps < most_steps; ++round) {
             // Once good enough, further rounds cost a solve each; go on as long as they pay.
-            if (is_solved(1) || (is_solved(tolerances) && !improves)) break;
+            if (is_solved(1) || (is_solved(sparse_tolerances) && !improves)) break;
             const int before = out_.newton_steps;
             const bool converged = minimise();
             const bool was_easy = converged && out_.newton_steps - before <= easy;
@@ -66,7 +65,7 @@ public:
             error = left;
         }
         out_.projection.steps = out_.newton_steps;
-        out_.projection.complete = is_solved(tolerances);
+        out_.projection.complete = is_solved(sparse_tolerances);
         out_.factorisations = factor_.factorisations();
         out_.updates = factor_.updates();
         return std::move(out_);

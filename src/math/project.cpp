@@ -7,6 +7,7 @@
 #include "math/primal_dual_active_set.hpp"
 
 #include <numeric>
+#include <cstdio>
 
 namespace carom {
 
@@ -35,9 +36,12 @@ Projection solve(const ProjectionProblem& part, std::span<const double> guess)
 {
     Projection out;
     out.complete = false;
-    if (is_dense(part) && !guess.empty()) out = primal_dual_active_set(part, guess);
+    static long calls[2], good[2];
+    const bool dense = is_dense(part);
+    if (!guess.empty()) out = primal_dual_active_set(part, guess, dense ? Factors::dense : Factors::sparse);
+    if (!guess.empty()) { ++calls[dense]; good[dense]+=out.complete; if (calls[0]%4000==3999) fprintf(stderr,"PDAS sparse %ld good %ld dense %ld good %ld\n",calls[0],good[0],calls[1],good[1]); }
     if (out.complete) return out;
-    if (!is_dense(part)) out = augmented_lagrangian(part, {guess}).projection;
+    if (!dense) out = augmented_lagrangian(part, {guess}).projection;
     if (!out.complete && part.half_spaces.size() <= dense_at_most) out = dual_active_set(part).projection;
     if (!out.complete) out = gauss_seidel(part, last_sweeps, std::move(out.multipliers));
     return out;
