@@ -20,7 +20,9 @@ bool is_satisfied(const ProjectionProblem& problem, const Component& part)
     return true;
 }
 
-/// What neither solver finishes is left to sweeps, which never make it worse.
+/// Enough to tell most of the active half-spaces from the others.
+constexpr int first_sweeps = 30;
+/// What no solver finishes is left to sweeps, which never make it worse.
 constexpr int last_sweeps = 1000;
 /// Beyond, the dense solver would take many seconds.
 constexpr std::size_t dense_at_most = 600;
@@ -32,17 +34,30 @@ bool is_dense(const ProjectionProblem& part)
            (part.half_spaces.size() >= 5 * part.start.size() && part.half_spaces.size() <= dense_at_most);
 }
 
-Projection solve(const ProjectionProblem& part, std::span<const double> guess)
+Projection solve_dense(const ProjectionProblem& part, std::span<const double> guess)
 {
     Projection out;
     out.complete = false;
-    static long calls[2], good[2];
-    const bool dense = is_dense(part);
-    if (!guess.empty()) out = primal_dual_active_set(part, guess, dense ? Factors::dense : Factors::sparse);
-    if (!guess.empty()) { ++calls[dense]; good[dense]+=out.complete; if (calls[0]%4000==3999) fprintf(stderr,"PDAS sparse %ld good %ld dense %ld good %ld\n",calls[0],good[0],calls[1],good[1]); }
-    if (out.complete) return out;
-    if (!dense) out = augmented_lagrangian(part, {guess}).projection;
+    if (!guess.empty()) out = primal_dual_active_set(part, guess, Factors::dense);
+    return out.complete ? out : dual_active_set(part).projection;
+}
+
+Projection solve_sparse(const ProjectionProblem& part, std::span<const double> guess)
+{
+    std::vector<double> swept;
+    if (guess.empty()) {
+        swept = gauss_seidel(part, first_sweeps, std::vector<double>(part.half_spaces.size(), 0.0)).multipliers;
+        guess = swept;
+    }
+    Projection out = primal_dual_active_set(part, guess, Factors::sparse);
+    if (!out.complete) out = augmented_lagrangian(part, {guess}).projection;
     if (!out.complete && part.half_spaces.size() <= dense_at_most) out = dual_active_set(part).projection;
+    return out;
+}
+
+Projection solve(const ProjectionProblem& part, std::span<const double> guess)
+{
+    Projection out = is_dense(part) ? solve_dense(part, guess) : solve_sparse(part, guess);
     if (!out.complete) out = gauss_seidel(part, last_sweeps, std::move(out.multipliers));
     return out;
 }

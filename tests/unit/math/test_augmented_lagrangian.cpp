@@ -1,34 +1,13 @@
+#include "pile_problem.hpp"
+
 #include "math/augmented_lagrangian.hpp"
 #include "math/dual_active_set.hpp"
 #include "math/gauss_seidel.hpp"
-
-#include "support/clusters.hpp"
-
-#include "impact/cluster_problem.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace carom;
 using namespace carom::test;
-
-namespace {
-
-double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
-{
-    double out = 0;
-    for (std::size_t k = 0; k < a.size(); ++k) out = std::max(out, (a[k] - b[k]).cwiseAbs().maxCoeff());
-    return out;
-}
-
-ProjectionProblem pile_problem(int side, int layers, bool falling)
-{
-    Cluster cluster = pile(side, layers);
-    carom::Random random(9);
-    for (ClusterBody& body : cluster.bodies) body.velocity = falling ? Vec3(0, 0, -1) : random.direction();
-    return projection_problem(cluster);
-}
-
-}  // namespace
 
 TEST_CASE("In piles the sparse solver finds the point that the dense one finds")
 {
