@@ -2,8 +2,6 @@
 
 #include "core/expect.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 
@@ -50,125 +48,82 @@ void divide_right(const Block& l, Block& m)
         }
 }
 
-std::vector<int> elimination_order(int blocks, std::span<const std::pair<int, int>> edges)
-{
-    using Pattern = Eigen::SparseMatrix<double>;
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(2 * edges.size() + at(blocks));
-    for (int i = 0; i < blocks; ++i) entries.emplace_back(i, i, 1.0);
-    for (const auto& [i, j] : edges) {
-        entries.emplace_back(i, j, 1.0);
-        entries.emplace_back(j, i, 1.0);
-    }
-    Pattern pattern(blocks, blocks);
-    pattern.setFromTriplets(entries.begin(), entries.end());
-    Eigen::AMDOrdering<int>::PermutationType order;
-    Eigen::AMDOrdering<int>()(pattern, order);
-    std::vector<int> place(at(blocks));
-    for (int i = 0; i < blocks; ++i) place[at(order.indices()[i])] = i;
-    return place;
-}
-
 }  // namespace
 
-BlockCholesky::BlockCholesky(int blocks, std::span<const std::pair<int, int>> edges)
-    : place_(elimination_order(blocks, edges))
+BlockCholesky::BlockCholesky(int blocks, const std::vector<std::pair<int, int>>& edges)
+    : pattern_(block_pattern(blocks, edges)), blocks_(pattern_->rows.size())
 {
-    // Columns of the factor: those of the matrix and those of the children in the elimination tree, less their first.
-    std::vector<std::vector<int>> column(at(blocks));
-    for (const auto& [i, j] : edges)
-        column[at(std::min(permuted(i), permuted(j)))].push_back(std::max(permuted(i), permuted(j)));
-    for (int j = 0; j < blocks; ++j) {
-        std::vector<int>& mine = column[at(j)];
-        std::sort(mine.begin(), mine.end());
-        mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-        if (mine.empty()) continue;
-        std::vector<int>& parent = column[at(mine.front())];
-        parent.insert(parent.end(), mine.begin() + 1, mine.end());
-    }
-    begin_.push_back(0);
-    left_begin_.assign(at(blocks) + 1, 0);
-    for (int j = 0; j < blocks; ++j) {
-        rows_.push_back(j);
-        rows_.insert(rows_.end(), column[at(j)].begin(), column[at(j)].end());
-        begin_.push_back(static_cast<int>(rows_.size()));
-        for (const int row : column[at(j)]) ++left_begin_[at(row) + 1];
-        const auto below = static_cast<double>(column[at(j)].size());
-        factor_cost_ += 27 * (below + 1) * (below + 2) / 2;
-    }
-    for (std::size_t j = 0; j < at(blocks); ++j) left_begin_[j + 1] += left_begin_[j];
-    left_.resize(at(left_begin_.back()));
-    std::vector<int> next(left_begin_.begin(), left_begin_.end() - 1);
-    for (int j = 0; j < blocks; ++j)
-        for (int p = begin_[at(j)] + 1; p < begin_[at(j) + 1]; ++p) left_[at(next[at(rows_[at(p)])]++)] = {j, p};
-    blocks_.resize(rows_.size());
 }
 
 void BlockCholesky::factor(std::span<const Column> columns)
 {
+    const std::vector<int> &place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows,
+                           &left_begin = pattern_->left_begin;
     std::fill(blocks_.begin(), blocks_.end(), Block{});
     const auto add = [](const Vector& u, const Vector& v, Block& block) {
         for (std::size_t r = 0; r < 3; ++r)
             for (std::size_t c = 0; c < 3; ++c) block[3 * r + c] += u[r] * v[c];
     };
-    const auto diagonal = [this](int place) -> Block& { return blocks_[at(begin_[at(place)])]; };
+    const auto diagonal = [&](int j) -> Block& { return blocks_[at(begin[at(j)])]; };
     for (const Column& c : columns) {
-        const int a = permuted(c.a);
+        const int a = place[at(c.a)];
         add(c.first, c.first, diagonal(a));
         if (c.b < 0) continue;
-        const int b = permuted(c.b);
+        const int b = place[at(c.b)];
         add(c.second, c.second, diagonal(b));
         const int left = std::min(a, b), below = std::max(a, b);
         const auto found =
-            std::lower_bound(rows_.begin() + begin_[at(left)], rows_.begin() + begin_[at(left) + 1], below);
-        CAROM_EXPECT(found != rows_.end() && *found == below);
-        Block& block = blocks_[at(static_cast<int>(found - rows_.begin()))];
+            std::lower_bound(rows.begin() + begin[at(left)], rows.begin() + begin[at(left) + 1], below);
+        CAROM_EXPECT(found != rows.end() && *found == below);
+        Block& block = blocks_[at(static_cast<int>(found - rows.begin()))];
         if (a < b)
             add(c.second, c.first, block);
         else
             add(c.first, c.second, block);
     }
-    const int count = static_cast<int>(place_.size());
+    const int count = static_cast<int>(place.size());
     std::vector<int> where(at(count));
     for (int j = 0; j < count; ++j) {
         Block& pivot = diagonal(j);
         for (std::size_t k = 0; k < 3; ++k) pivot[4 * k] += 1;
-        for (int p = begin_[at(j)]; p < begin_[at(j) + 1]; ++p) where[at(rows_[at(p)])] = p;
-        for (int q = left_begin_[at(j)]; q < left_begin_[at(j) + 1]; ++q) {
-            const Left& left = left_[at(q)];
+        for (int p = begin[at(j)]; p < begin[at(j) + 1]; ++p) where[at(rows[at(p)])] = p;
+        for (int q = left_begin[at(j)]; q < left_begin[at(j) + 1]; ++q) {
+            const BlockPattern::Left& left = pattern_->left[at(q)];
             const Block across = blocks_[at(left.at)];
-            for (int p = left.at; p < begin_[at(left.column) + 1]; ++p)
-                subtract_product(blocks_[at(p)], across, blocks_[at(where[at(rows_[at(p)])])]);
+            for (int p = left.at; p < begin[at(left.column) + 1]; ++p)
+                subtract_product(blocks_[at(p)], across, blocks_[at(where[at(rows[at(p)])])]);
         }
         factor_block(pivot);
-        for (int p = begin_[at(j)] + 1; p < begin_[at(j) + 1]; ++p) divide_right(pivot, blocks_[at(p)]);
+        for (int p = begin[at(j)] + 1; p < begin[at(j) + 1]; ++p) divide_right(pivot, blocks_[at(p)]);
     }
 }
 
 double BlockCholesky::update_cost(const Column& column) const
 {
+    const std::vector<int> &place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
     double cost = 0;
-    int j = column.b < 0 ? permuted(column.a) : std::min(permuted(column.a), permuted(column.b));
+    int j = column.b < 0 ? place[at(column.a)] : std::min(place[at(column.a)], place[at(column.b)]);
     while (j >= 0) {
-        const int size = begin_[at(j) + 1] - begin_[at(j)];
+        const int size = begin[at(j) + 1] - begin[at(j)];
         cost += 18 * size;
-        j = size > 1 ? rows_[at(begin_[at(j)] + 1)] : -1;
+        j = size > 1 ? rows[at(begin[at(j)] + 1)] : -1;
     }
     return cost;
 }
 
 void BlockCholesky::update(const Column& column, double sign)
 {
-    std::vector<Vector> w(place_.size(), Vector{});
-    w[at(permuted(column.a))] = column.first;
-    int j = permuted(column.a);
+    const std::vector<int> &place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
+    std::vector<Vector> w(place.size(), Vector{});
+    w[at(place[at(column.a)])] = column.first;
+    int j = place[at(column.a)];
     if (column.b >= 0) {
-        w[at(permuted(column.b))] = column.second;
-        j = std::min(j, permuted(column.b));
+        w[at(place[at(column.b)])] = column.second;
+        j = std::min(j, place[at(column.b)]);
     }
     // Along the path to the root of the elimination tree, a scalar column after the other.
     while (j >= 0) {
-        const int first = begin_[at(j)], last = begin_[at(j) + 1];
+        const int first = begin[at(j)], last = begin[at(j) + 1];
         Block& pivot = blocks_[at(first)];
         for (std::size_t c = 0; c < 3; ++c) {
             const double l = pivot[4 * c], x = w[at(j)][c];
@@ -183,7 +138,7 @@ void BlockCholesky::update(const Column& column, double sign)
                 w[at(j)][k] = cosine * w[at(j)][k] - sine * entry;
             }
             for (int p = first + 1; p < last; ++p) {
-                Vector& below = w[at(rows_[at(p)])];
+                Vector& below = w[at(rows[at(p)])];
                 Block& block = blocks_[at(p)];
                 for (std::size_t k = 0; k < 3; ++k) {
                     double& entry = block[3 * k + c];
@@ -192,34 +147,35 @@ void BlockCholesky::update(const Column& column, double sign)
                 }
             }
         }
-        j = last - first > 1 ? rows_[at(first + 1)] : -1;
+        j = last - first > 1 ? rows[at(first + 1)] : -1;
     }
 }
 
 void BlockCholesky::solve(std::span<Vector> b) const
 {
-    const int count = static_cast<int>(place_.size());
-    std::vector<Vector> x(place_.size());
-    for (int i = 0; i < count; ++i) x[at(permuted(i))] = b[at(i)];
+    const std::vector<int> &place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
+    const int count = static_cast<int>(place.size());
+    std::vector<Vector> x(place.size());
+    for (int i = 0; i < count; ++i) x[at(place[at(i)])] = b[at(i)];
     for (int j = 0; j < count; ++j) {
-        const Block& l = blocks_[at(begin_[at(j)])];
+        const Block& l = blocks_[at(begin[at(j)])];
         Vector& mine = x[at(j)];
         for (std::size_t r = 0; r < 3; ++r) {
             for (std::size_t k = 0; k < r; ++k) mine[r] -= l[3 * r + k] * mine[k];
             mine[r] /= l[4 * r];
         }
-        for (int p = begin_[at(j)] + 1; p < begin_[at(j) + 1]; ++p) {
-            Vector& below = x[at(rows_[at(p)])];
+        for (int p = begin[at(j)] + 1; p < begin[at(j) + 1]; ++p) {
+            Vector& below = x[at(rows[at(p)])];
             const Block& block = blocks_[at(p)];
             for (std::size_t r = 0; r < 3; ++r)
                 below[r] -= block[3 * r] * mine[0] + block[3 * r + 1] * mine[1] + block[3 * r + 2] * mine[2];
         }
     }
     for (int j = count - 1; j >= 0; --j) {
-        const Block& l = blocks_[at(begin_[at(j)])];
+        const Block& l = blocks_[at(begin[at(j)])];
         Vector& mine = x[at(j)];
-        for (int p = begin_[at(j)] + 1; p < begin_[at(j) + 1]; ++p) {
-            const Vector& below = x[at(rows_[at(p)])];
+        for (int p = begin[at(j)] + 1; p < begin[at(j) + 1]; ++p) {
+            const Vector& below = x[at(rows[at(p)])];
             const Block& block = blocks_[at(p)];
             for (std::size_t c = 0; c < 3; ++c)
                 mine[c] -= block[c] * below[0] + block[3 + c] * below[1] + block[6 + c] * below[2];
@@ -229,7 +185,7 @@ void BlockCholesky::solve(std::span<Vector> b) const
             mine[r] /= l[4 * r];
         }
     }
-    for (int i = 0; i < count; ++i) b[at(i)] = x[at(permuted(i))];
+    for (int i = 0; i < count; ++i) b[at(i)] = x[at(place[at(i)])];
 }
 
 }  // namespace carom

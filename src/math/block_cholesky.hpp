@@ -4,6 +4,8 @@
 /// matrix by updates. Sums run in a fixed order, so that every compiler gives the same bits.
 #pragma once
 
+#include "math/block_pattern.hpp"
+
 #include <array>
 #include <span>
 #include <utility>
@@ -19,7 +21,7 @@ public:
     using Vector = std::array<double, 3>;
 
     /// \param edges pairs of different blocks that may be coupled, each once
-    BlockCholesky(int blocks, std::span<const std::pair<int, int>> edges);
+    BlockCholesky(int blocks, const std::vector<std::pair<int, int>>& edges);
 
     /// c c^T is added to the matrix, c = (first at block a, second at block b); b may be -1.
     struct Column {
@@ -37,21 +39,11 @@ public:
 
     /// Work of an update and of a factorisation, in multiplications, to choose between them.
     double update_cost(const Column& column) const;
-    double factor_cost() const { return factor_cost_; }
+    double factor_cost() const { return pattern_->factor_cost; }
 
 private:
-    int permuted(int block) const { return place_[static_cast<std::size_t>(block)]; }
-
-    std::vector<int> place_;     ///< of a block in the order of elimination
-    std::vector<int> begin_;     ///< of the columns in rows_ and blocks_; the diagonal comes first
-    std::vector<int> rows_;      ///< ascending within a column
-    std::vector<Block> blocks_;  ///< of the factor
-    struct Left {
-        int column, at;
-    };
-    std::vector<int> left_begin_;
-    std::vector<Left> left_;  ///< by row: the blocks left of the diagonal
-    double factor_cost_ = 0;
+    const std::shared_ptr<const BlockPattern> pattern_;
+    std::vector<Block> blocks_;  ///< of the factor, in the order of the pattern's rows
 };
 
 }  // namespace carom
