@@ -63,7 +63,7 @@ public:
         Step step = next;
         double size = product(gradient, next.direction);
         double left = product(residual, residual);
-        const double enough = 0x1p-106 * left;  // squares: the rounding of what is wanted
+        const double enough = 0x1p-106 * left, hardly = 0x1p-100 * left;  // squares: the rounding of what is wanted
         const std::size_t most = 20 + 2 * (residual.size() + 3 * vectors_);
         int stalled = 0;
         double share = 1, shares = 0;  // of what no change can mend, in the multipliers
@@ -92,6 +92,7 @@ public:
         }
         // Combinations begin as residuals, and what is left of these at the end changes nothing: it goes, if the search
         // came so close that it really changes nothing.
+        if (left <= hardly) return {std::move(change), std::move(x)};
         const Step idle = preconditioned(gradient, residual);
         if (shares * std::sqrt(product(idle.direction, idle.direction)) <= negligible * std::sqrt(product(change, change))) {
             x = sum(std::move(x), -shares, idle.combination);
