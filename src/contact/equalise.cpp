@@ -10,9 +10,9 @@ namespace carom {
 
 namespace {
 
-/// How much further than the widest gap that is to close (or the fastest) a body may go: a tower of a thousand needs 640
-/// (1000 * 2 / pi, from its smallest singular value). A sphere pinched between two that do not give way could close both
-/// gaps a few radii aside, where their normals differ.
+/// How much further than the widest gap that is to close (or the fastest) a body may go: a tower of a thousand needs
+/// 640 (1000 * 2 / pi, from its smallest singular value). A sphere pinched between two that do not give way could close
+/// both gaps a few radii aside, where their normals differ.
 constexpr double stretch = 0x1p12;
 
 /// Fewer contacts are equalised sooner than factored.
@@ -45,15 +45,13 @@ EqualisingChange equalising_change(const Cluster& cluster, std::span<const doubl
         factor->take_epsilon(epsilon);
         factor->follow(all);
     }
-    ShortestChange found =
-        shortest_change(normals, all, scaled, w.size(), {factor ? &*factor : nullptr, furthest});
+    ShortestChange found = shortest_change(normals, all, scaled, w.size(), {factor ? &*factor : nullptr, furthest});
     EqualisingChange out;
     for (std::size_t k = 0; k < w.size(); ++k) {
         const BlockCholesky::Vector& y = found.change[k];
         out.change.emplace_back(std::sqrt(w[k]) * Vec3(y[0], y[1], y[2]));
     }
-    for (std::size_t i = 0; i < normals.size(); ++i)
-        out.impulses.push_back(found.multipliers[i] / normals[i].length);
+    for (std::size_t i = 0; i < normals.size(); ++i) out.impulses.push_back(found.multipliers[i] / normals[i].length);
     return out;
 }
 

@@ -15,8 +15,9 @@ struct EqualisingChange {
 };
 
 /// min sum m |d|^2 with n_i.(d_a - d_b) = wanted_i for all contacts, in the sense of least squares where contacts
-/// contradict one another (see shortest_change). Redundant contacts do no harm; work is bounded, and so is the change: no
-/// body goes further than 4096 times the largest that is wanted, as it would between contacts that nearly contradict.
+/// contradict one another (see shortest_change). Redundant contacts do no harm; work is bounded, and so is the change:
+/// no body goes further than 4096 times the largest that is wanted, as it would between contacts that nearly
+/// contradict.
 EqualisingChange equalising_change(const Cluster& cluster, std::span<const double> wanted);
 
 }  // namespace carom

@@ -57,8 +57,8 @@ BlockCholesky::BlockCholesky(int blocks, const std::vector<std::pair<int, int>>&
 
 void BlockCholesky::factor(std::span<const Column> columns)
 {
-    const std::vector<int> &place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows,
-                           &left_begin = pattern_->left_begin;
+    const std::vector<int>&place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows,
+          &left_begin = pattern_->left_begin;
     std::fill(blocks_.begin(), blocks_.end(), Block{});
     const auto add = [](const Vector& u, const Vector& v, Block& block) {
         for (std::size_t r = 0; r < 3; ++r)
@@ -72,8 +72,7 @@ void BlockCholesky::factor(std::span<const Column> columns)
         const int b = place[at(c.b)];
         add(c.second, c.second, diagonal(b));
         const int left = std::min(a, b), below = std::max(a, b);
-        const auto found =
-            std::lower_bound(rows.begin() + begin[at(left)], rows.begin() + begin[at(left) + 1], below);
+        const auto found = std::lower_bound(rows.begin() + begin[at(left)], rows.begin() + begin[at(left) + 1], below);
         CAROM_EXPECT(found != rows.end() && *found == below);
         Block& block = blocks_[at(static_cast<int>(found - rows.begin()))];
         if (a < b)
@@ -100,7 +99,7 @@ void BlockCholesky::factor(std::span<const Column> columns)
 
 double BlockCholesky::update_cost(const Column& column) const
 {
-    const std::vector<int> &place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
+    const std::vector<int>&place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
     double cost = 0;
     int j = column.b < 0 ? place[at(column.a)] : std::min(place[at(column.a)], place[at(column.b)]);
     while (j >= 0) {
@@ -113,7 +112,7 @@ double BlockCholesky::update_cost(const Column& column) const
 
 void BlockCholesky::update(const Column& column, double sign)
 {
-    const std::vector<int> &place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
+    const std::vector<int>&place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
     std::vector<Vector> w(place.size(), Vector{});
     w[at(place[at(column.a)])] = column.first;
     int j = place[at(column.a)];
@@ -153,7 +152,7 @@ void BlockCholesky::update(const Column& column, double sign)
 
 void BlockCholesky::solve(std::span<Vector> b) const
 {
-    const std::vector<int> &place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
+    const std::vector<int>&place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
     const int count = static_cast<int>(place.size());
     std::vector<Vector> x(place.size());
     for (int i = 0; i < count; ++i) x[at(place[at(i)])] = b[at(i)];

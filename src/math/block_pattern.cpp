@@ -42,7 +42,8 @@ BlockPattern analysed(int blocks, const Edges& edges)
     // Columns of the factor: those of the matrix and those of the children in the elimination tree, less their first.
     std::vector<std::vector<int>> column(at(blocks));
     for (const auto& [i, j] : edges)
-        column[at(std::min(out.place[at(i)], out.place[at(j)]))].push_back(std::max(out.place[at(i)], out.place[at(j)]));
+        column[at(std::min(out.place[at(i)], out.place[at(j)]))].push_back(
+            std::max(out.place[at(i)], out.place[at(j)]));
     for (int j = 0; j < blocks; ++j) {
         std::vector<int>& mine = column[at(j)];
         std::sort(mine.begin(), mine.end());
@@ -65,7 +66,8 @@ BlockPattern analysed(int blocks, const Edges& edges)
     out.left.resize(at(out.left_begin.back()));
     std::vector<int> next(out.left_begin.begin(), out.left_begin.end() - 1);
     for (int j = 0; j < blocks; ++j)
-        for (int p = out.begin[at(j)] + 1; p < out.begin[at(j) + 1]; ++p) out.left[at(next[at(out.rows[at(p)])]++)] = {j, p};
+        for (int p = out.begin[at(j)] + 1; p < out.begin[at(j) + 1]; ++p)
+            out.left[at(next[at(out.rows[at(p)])]++)] = {j, p};
     return out;
 }
 

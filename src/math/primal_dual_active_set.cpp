@@ -67,8 +67,8 @@ private:
     {
         bool some = false;
         for (std::size_t i = 0; i < is_active_.size(); ++i) {
-            const bool wrong = is_active_[i] ? out_.multipliers[i] < 0
-                                             : slack(problem_.half_spaces[i], out_.point) < -tolerance_;
+            const bool wrong =
+                is_active_[i] ? out_.multipliers[i] < 0 : slack(problem_.half_spaces[i], out_.point) < -tolerance_;
             if (!wrong) continue;
             is_active_[i] = !is_active_[i];
             some = true;

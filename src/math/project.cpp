@@ -6,8 +6,8 @@
 #include "math/gauss_seidel.hpp"
 #include "math/primal_dual_active_set.hpp"
 
-#include <numeric>
 #include <cstdio>
+#include <numeric>
 
 namespace carom {
 

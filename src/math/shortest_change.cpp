@@ -71,7 +71,8 @@ public:
             const Numbers image = times(step.direction);
             const double length = size / product(image, image);
             if (!std::isfinite(length)) break;
-            // Exactly, every step shrinks the residual by length * size. Once rounding has it otherwise, all is done soon.
+            // Exactly, every step shrinks the residual by length * size. Once rounding has it otherwise, all is done
+            // soon.
             Numbers next_residual = sum(residual, -length, image);
             const double next_left = product(next_residual, next_residual);
             if (!(next_left < left) && ++stalled > most_stalled) break;
@@ -94,7 +95,8 @@ public:
         // came so close that it really changes nothing.
         if (left <= hardly) return {std::move(change), std::move(x)};
         const Step idle = preconditioned(gradient, residual);
-        if (shares * std::sqrt(product(idle.direction, idle.direction)) <= negligible * std::sqrt(product(change, change))) {
+        if (shares * std::sqrt(product(idle.direction, idle.direction)) <=
+            negligible * std::sqrt(product(change, change))) {
             x = sum(std::move(x), -shares, idle.combination);
             change = sum(std::move(change), -shares, idle.direction);
         }
@@ -156,7 +158,8 @@ private:
 }  // namespace
 
 ShortestChange shortest_change(std::span<const UnitNormal> normals, const std::vector<char>& active,
-                               std::span<const double> wanted, std::size_t vectors, const ShortestChangeOptions& options)
+                               std::span<const double> wanted, std::size_t vectors,
+                               const ShortestChangeOptions& options)
 {
     return Search(normals, active, vectors, options).go(wanted);
 }

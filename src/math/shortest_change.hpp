@@ -19,9 +19,9 @@ struct ShortestChangeOptions {
 };
 
 /// min |y| with a_i.y = wanted_i, in the sense of least squares where these contradict one another; normals whose
-/// `active` is 0 want nothing and get no multiplier. CGLS (Hestenes and Stiefel 1952; Bjoerck, Numerical Methods for Least
-/// Squares Problems, 1996, sections 7.4 and 7.4.1), which dependent normals do no harm; work is bounded. Ours: the
-/// factor's matrix as a preconditioner. It is a function of the normals' own matrix, so that the result stays the
+/// `active` is 0 want nothing and get no multiplier. CGLS (Hestenes and Stiefel 1952; Bjoerck, Numerical Methods for
+/// Least Squares Problems, 1996, sections 7.4 and 7.4.1), which dependent normals do no harm; work is bounded. Ours:
+/// the factor's matrix as a preconditioner. It is a function of the normals' own matrix, so that the result stays the
 /// shortest; directions along which the normals hardly act (singular values below sqrt(epsilon)) come last.
 ShortestChange shortest_change(std::span<const UnitNormal> normals, const std::vector<char>& active,
                                std::span<const double> wanted, std::size_t vectors,
