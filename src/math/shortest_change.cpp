@@ -36,9 +36,10 @@ Values sum(Values x, double factor, const Values& y)
     return x;
 }
 
-/// What cannot be mended outweighs the rest of the residual; a few more steps find that, too.
+/// Steps that neither shrink the residual (of which all may be left that cannot be mended) nor its gradient.
 constexpr int most_stalled = 3;
-
+/// Part of a sum of squares.
+constexpr double rounding = 1e-12;
 /// Part of a change that is as good as none.
 constexpr double negligible = 1e-10;
 
@@ -62,21 +63,19 @@ public:
         Step next = preconditioned(gradient, residual);
         Step step = next;
         double size = product(gradient, next.direction);
-        double left = product(residual, residual);
+        double left = product(residual, residual), slope = product(gradient, gradient);  // the least so far
         const double enough = 0x1p-106 * left, hardly = 0x1p-100 * left;  // squares: the rounding of what is wanted
         const std::size_t most = 20 + 2 * (residual.size() + 3 * vectors_);
         int stalled = 0;
         double share = 1, shares = 0;  // of what no change can mend, in the multipliers
-        for (std::size_t n = 0; n < most && product(gradient, gradient) > enough; ++n) {
+        for (std::size_t n = 0; n < most && slope > enough; ++n) {
             const Numbers image = times(step.direction);
             const double length = size / product(image, image);
             if (!std::isfinite(length)) break;
-            // Exactly, every step shrinks the residual by length * size. Once rounding has it otherwise, all is done
-            // soon.
+            // Exactly, every step shrinks the residual by length * size.
             Numbers next_residual = sum(residual, -length, image);
             const double next_left = product(next_residual, next_residual);
-            if (!(next_left < left) && ++stalled > most_stalled) break;
-            left = std::min(left, next_left);
+            if (!(next_left <= (1 + rounding) * left)) break;
             UnitVectors next_change = sum(change, length, step.direction);
             if (goes_too_far(next_change)) break;
             change = std::move(next_change);
@@ -84,6 +83,11 @@ public:
             shares += length * share;
             residual = std::move(next_residual);
             gradient = transposed_times(residual);
+            const double next_slope = product(gradient, gradient);
+            stalled = next_left < left || next_slope < slope ? 0 : stalled + 1;
+            left = std::min(left, next_left);
+            slope = std::min(slope, next_slope);
+            if (stalled > most_stalled) break;
             next = preconditioned(gradient, residual);
             const double next_size = product(gradient, next.direction), ratio = next_size / size;
             step.direction = sum(std::move(next.direction), ratio, step.direction);
@@ -91,9 +95,9 @@ public:
             share = 1 + ratio * share;
             size = next_size;
         }
-        // Combinations begin as residuals, and what is left of these at the end changes nothing: it goes, if the search
-        // came so close that it really changes nothing.
-        if (left <= hardly) return {std::move(change), std::move(x)};
+        // Without a factor combinations begin as residuals, and what is left of these at the end changes nothing: it
+        // goes, if the search came so close that it really changes nothing.
+        if (options_.factor || left <= hardly) return {std::move(change), std::move(x)};
         const Step idle = preconditioned(gradient, residual);
         if (shares * std::sqrt(product(idle.direction, idle.direction)) <=
             negligible * std::sqrt(product(change, change))) {
@@ -125,18 +129,18 @@ private:
         return out;
     }
 
-    /// (epsilon I + A A^T)^-1 A r = A (epsilon I + A^T A)^-1 r = A (r - A^T direction) / epsilon, A = (a_1 a_2 ...)
+    /// A (epsilon I + A^T A)^-2 A^T r, A = (a_1 a_2 ...)^T. One inverse would do, but not without numbers of the size
+    /// of what cannot be mended over epsilon.
     Step preconditioned(const UnitVectors& gradient, const Numbers& residual) const
     {
         if (!options_.factor) return {gradient, residual};
-        const double factor = 1 / options_.factor->epsilon();
-        UnitVectors direction = gradient;
-        options_.factor->solve(direction);
-        for (BlockCholesky::Vector& d : direction)
-            for (double& each : d) each *= factor;
-        Numbers combination = sum(residual, -1, times(direction));
-        for (double& each : combination) each *= factor;
-        // Not what was solved for, which differs by its rounding: multipliers would not make the change.
+        UnitVectors twice = gradient;
+        options_.factor->solve(twice);
+        options_.factor->solve(twice);
+        const double epsilon = options_.factor->epsilon();
+        for (BlockCholesky::Vector& d : twice)
+            for (double& each : d) each /= epsilon * epsilon;
+        Numbers combination = times(twice);
         return {transposed_times(combination), std::move(combination)};
     }
 

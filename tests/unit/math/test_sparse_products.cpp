@@ -59,26 +59,26 @@ TEST_CASE("The sparse active set minds neither doubled half-spaces nor those tha
     CHECK(twice.complete);
     CHECK(largest_difference(once.point, twice.point) < 1e-9);
 
-    // No point touches a plane at two heights, and none is claimed to.
-    problem = pile_problem(3, 3, true);
-    HalfSpace opposite = problem.half_spaces.front();
-    opposite.normal = -opposite.normal;
-    opposite.offset = -1;
-    problem.half_spaces.push_back(opposite);
-    CHECK_FALSE(primal_dual_active_set(problem, std::vector<double>(count + 1, 1.0), Factors::sparse).complete);
+    // No point is on both sides of a gap, and none is claimed to be.
+    const ProjectionProblem apart{
+        {Vec3(0.5, 0, 0)}, {1}, {{0, -1, Vec3(1, 0, 0), -1}, {0, -1, Vec3(-1, 0, 0), 0}}, 1e-13};
+    CHECK_FALSE(primal_dual_active_set(apart, std::vector<double>{1, 1}, Factors::sparse).complete);
 }
 
 TEST_CASE("A factor finds the shortest change that is found without one, and multipliers that make it")
 {
     carom::Random random(4);
-    const ProjectionProblem problem = pile_problem(5, 5, false);
-    const std::vector<UnitNormal> normals = unit_normals(problem);
+    ProjectionProblem problem = pile_problem(5, 5, false);
     const std::size_t vectors = problem.start.size();
     for (const bool contradict : {false, true}) {
+        // Twice the same half-spaces, which want different things.
+        if (contradict)
+            problem.half_spaces.insert(problem.half_spaces.end(), problem.half_spaces.begin(),
+                                       problem.half_spaces.end());
+        const std::vector<UnitNormal> normals = unit_normals(problem);
         std::vector<char> active(normals.size(), 1);
         std::vector<double> wanted(normals.size(), 0);
-        // Along what some vectors do together, all can be had.
-        UnitVectors done(vectors);
+        UnitVectors done(vectors);  // what all could want
         for (BlockCholesky::Vector& v : done)
             for (double& x : v) x = random.uniform(-1, 1);
         for (std::size_t i = 0; i < normals.size(); ++i) {
