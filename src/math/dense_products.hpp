@@ -22,6 +22,8 @@ public:
     /// \pre follow returned true
     std::vector<double> multipliers(std::span<const double> wanted) const;
 
+    static constexpr int refinements = 2;  ///< what multipliers leave is worth asking for so often
+
 private:
     double product(std::size_t k, std::size_t l) const;
 

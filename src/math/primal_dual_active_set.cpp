@@ -3,14 +3,15 @@
 #include "math/dense_products.hpp"
 #include "math/sparse_products.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 
 namespace {
 
 constexpr int most_rounds = 8;
-constexpr int refinements = 2;
 
 /// \tparam Products of the active normals, factored
 template <class Products>
@@ -32,7 +33,7 @@ public:
             if (!products_.follow(is_active_)) break;
             find_multipliers();
             if (!change_active()) {
-                out_.complete = is_tight();
+                out_.complete = largest_slack() <= tolerance_;
                 break;
             }
         }
@@ -44,9 +45,12 @@ private:
     void find_multipliers()
     {
         out_.multipliers.assign(normals_.size(), 0);
-        for (int round = 0; round <= refinements; ++round) {
+        double before = std::numeric_limits<double>::infinity();
+        for (int round = 0; round <= Products::refinements; ++round) {
             place_point();
-            if (round > 0 && is_tight(problem_.tolerance / 8)) return;
+            const double left = largest_slack();
+            if (round > 0 && (left <= problem_.tolerance / 8 || left > before / 2)) return;
+            before = left;
             std::vector<double> missing(normals_.size(), 0);
             for (std::size_t i = 0; i < missing.size(); ++i)
                 if (is_active_[i]) missing[i] = -slack(problem_.half_spaces[i], out_.point) / normals_[i].length;
@@ -76,12 +80,17 @@ private:
         return some;
     }
 
-    bool is_tight() const { return is_tight(tolerance_); }
-    bool is_tight(double within) const
+    /// Of the active ones, either way.
+    double largest_slack() const
     {
-        for (std::size_t i = 0; i < normals_.size(); ++i)
-            if (is_active_[i] && !(std::abs(slack(problem_.half_spaces[i], out_.point)) <= within)) return false;
-        return true;
+        double out = 0;
+        for (std::size_t i = 0; i < normals_.size(); ++i) {
+            if (!is_active_[i]) continue;
+            const double size = std::abs(slack(problem_.half_spaces[i], out_.point));
+            if (std::isnan(size)) return std::numeric_limits<double>::infinity();
+            out = std::max(out, size);
+        }
+        return out;
     }
 
     const ProjectionProblem& problem_;

@@ -2,12 +2,13 @@
 /// The products of the half-spaces' normals that are active, as a sparse factor has them.
 #pragma once
 
-#include "math/shortest_change.hpp"
+#include "math/active_factor.hpp"
 
 namespace carom {
 
 /// As DenseProducts, for thousands of normals that each concern one vector or two. Those that depend on each other get
-/// multipliers all the same, in the sense of least squares.
+/// multipliers all the same. These are nearly right: asked again for what they leave, they leave epsilon / sigma^2 of
+/// it, sigma the singular values of the normals (the method of multipliers; Bertsekas 1982, chapter 2).
 class SparseProducts {
 public:
     /// \param normals outlive this
@@ -24,10 +25,20 @@ public:
         return true;
     }
 
+    /// (epsilon I + A A^T)^-1 wanted = (wanted - A (epsilon I + A^T A)^-1 A^T wanted) / epsilon, A = (a_1 a_2 ...)^T
     std::vector<double> multipliers(std::span<const double> wanted) const
     {
-        return shortest_change(normals_, active_, wanted, vectors_, {&factor_, {}}).multipliers;
+        UnitVectors y(vectors_, BlockCholesky::Vector{});
+        for (std::size_t i = 0; i < normals_.size(); ++i)
+            if (active_[i]) normals_[i].add_to(y, wanted[i] / epsilon);
+        factor_.solve(y);
+        std::vector<double> out(normals_.size(), 0);
+        for (std::size_t i = 0; i < normals_.size(); ++i)
+            if (active_[i]) out[i] = (wanted[i] - normals_[i].dot(y)) / epsilon;
+        return out;
     }
+
+    static constexpr int refinements = 8;
 
 private:
     /// Against squares of singular values, at most about 10: that of a tower of a thousand is 2.5e-6.

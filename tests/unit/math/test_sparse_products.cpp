@@ -99,7 +99,8 @@ TEST_CASE("A factor finds the shortest change that is found without one, and mul
             if (active[i] && !contradict) CHECK(std::abs(normals[i].dot(with.change) - wanted[i]) < 1e-12);
         }
         CHECK(largest_difference(made, with.change) < 1e-8);
-        for (const double multiplier : with.multipliers) CHECK(std::abs(multiplier) < 100);
+        for (const ShortestChange* each : {&with, &without})
+            for (const double multiplier : each->multipliers) CHECK(std::abs(multiplier) < 100);
     }
 }
 
