@@ -36,8 +36,6 @@ Values sum(Values x, double factor, const Values& y)
     return x;
 }
 
-/// Steps that neither shrink the residual (of which all may be left that cannot be mended) nor its gradient.
-constexpr int most_stalled = 3;
 /// Part of a sum of squares.
 constexpr double rounding = 1e-12;
 /// Part of a change that is as good as none.
@@ -66,7 +64,6 @@ public:
         double left = product(residual, residual), slope = product(gradient, gradient);  // the least so far
         const double enough = 0x1p-106 * left, hardly = 0x1p-100 * left;  // squares: the rounding of what is wanted
         const std::size_t most = 20 + 2 * (residual.size() + 3 * vectors_);
-        int stalled = 0;
         double share = 1, shares = 0;  // of what no change can mend, in the multipliers
         for (std::size_t n = 0; n < most && slope > enough; ++n) {
             const Numbers image = times(step.direction);
@@ -84,10 +81,10 @@ public:
             residual = std::move(next_residual);
             gradient = transposed_times(residual);
             const double next_slope = product(gradient, gradient);
-            stalled = next_left < left || next_slope < slope ? 0 : stalled + 1;
+            // Of the residual all may be left that cannot be mended; then its gradient tells.
+            if (!(next_left < left || next_slope < slope)) break;
             left = std::min(left, next_left);
             slope = std::min(slope, next_slope);
-            if (stalled > most_stalled) break;
             next = preconditioned(gradient, residual);
             const double next_size = product(gradient, next.direction), ratio = next_size / size;
             step.direction = sum(std::move(next.direction), ratio, step.direction);
