@@ -82,3 +82,14 @@ TEST_CASE("elastic bounces are never summed, however low")
         for (const BodyState& state : outcome.final) CHECK(state.mode == Mode::flying);
     }
 }
+
+TEST_CASE("a sphere that leaves a plane with the rounding of its speed slides along it")
+{
+    Scene scene = empty_scene(100);
+    add_floor(scene);
+    add_sphere(scene, 1e-6, {0, 0, 1e-6 + 1e-14}, {1, 0, -5e-16});
+    const Outcome outcome = simulate(scene, EventDriven{});
+    CHECK(outcome.counts.rests == 1);
+    CHECK(outcome.final[0].mode == Mode::sliding);
+    CHECK(outcome.final[0].velocity.z() == 0);
+}

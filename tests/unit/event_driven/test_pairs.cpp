@@ -5,6 +5,7 @@
 
 using namespace carom;
 using namespace carom::test;
+using carom::test::Random;
 
 TEST_CASE("spheres that overlap when they meet report by how much")
 {
@@ -35,5 +36,20 @@ TEST_CASE("a heavy sphere that is hit from both sides at once stays, whichever c
             const int k = (i + turned) % 3;
             CHECK((outcome.final[static_cast<std::size_t>(i)].velocity - Vec3(-speeds[k], 0, 0)).norm() < 1e-15);
         }
+    }
+}
+
+TEST_CASE("spheres that hardly rebound do not meet again by rounding")
+{
+    Random random(5);
+    for (int trial = 0; trial < 500; ++trial) {
+        Scene scene = empty_scene(2, Vec3::Zero(), 1e-18);
+        const Vec3 way = random.direction().normalized(), aside = random.in_cube(0.3);
+        add_sphere(scene, 0.5, Vec3::Zero(), Vec3::Zero(), random.log_uniform(1, 1e3));
+        add_sphere(scene, 0.5, 2 * way + aside, -2 * way, random.log_uniform(1, 1e3));
+        const Outcome outcome = simulate(scene, EventDriven{});
+        CAPTURE(trial);
+        CHECK(outcome.status == Status::reached_end);
+        CHECK(outcome.counts.impacts == 1);
     }
 }
