@@ -140,6 +140,8 @@ private:
 
     void lean(std::size_t k, const Touch& t)
     {
+        // See close_gaps.
+        if (state_.flight(component().bodies[k]).mode == Mode::numeric) shift_[k] = -t.gap * t.normal;
         Flight& f = change_of(k).flight;
         const double c = t.normal.dot(f.velocity);
         if (std::abs(c) > 4 * unit_roundoff * length(f.velocity)) f.velocity -= (c / t.normal.squaredNorm()) * t.normal;

@@ -81,6 +81,7 @@ void Coverage::visit(BodyId body, const EpochTime& from, const EpochTime& to, co
 void Coverage::close(BodyId body, const EpochTime& now)
 {
     const EpochTime& start = flights_.start(body);
+    note_step(body, now);
     if (start < now) {
         const EpochTime from = all_pairs_ ? start : std::max(start, slab_begin_);
         visit(body, from, now, [&](BodyId other) { pair(body, other, from, now); });
@@ -88,6 +89,12 @@ void Coverage::close(BodyId body, const EpochTime& now)
         check_support(body, now, Edge::ends);
     }
     gaps_.count(body, now);
+}
+
+void Coverage::note_step(BodyId body, const EpochTime& now)
+{
+    if (flights_.path(body).mode != Mode::numeric) return;
+    longest_step_ = std::max(longest_step_, between<double>(flights_.start(body), now));
 }
 
 void Coverage::check_support(BodyId body, const EpochTime& now, Edge edge)
@@ -112,7 +119,10 @@ void Coverage::check_support(BodyId body, const EpochTime& now, Edge edge)
         const bool rough = path.mode == Mode::numeric || theirs.mode == Mode::numeric;
         const double slack = rough ? deepest_numeric : 2 * contact_slack;
         const bool touches = add(rounded(r.r), ra + rb, slack * std::min(ra, rb), r.r_error.sum() / rounding<double>);
-        if (touches && rough && edge == Edge::ends) enough = turned_in_a_step * pull;
+        if (touches && rough && edge == Edge::ends) {
+            const double turns = rounded(r.v).norm() * longest_step_ / (ra + rb);
+            enough = std::max(enough, (turned_in_a_step + turns) * pull);
+        }
     });
     for (int p = 0; p < data_.planes(); ++p) {
         const Wall& wall = data_.wall(p);
@@ -174,6 +184,7 @@ void Coverage::finish(const EpochTime& end)
     } else {
         end_slab(end);
     }
+    for (BodyId i = 0; i < data_.spheres(); ++i) note_step(i, end);
     for (BodyId i = 0; i < data_.spheres(); ++i) {
         if (flights_.start(i) < end) planes(i, end);
         check_support(i, end, Edge::ends);

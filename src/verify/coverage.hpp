@@ -40,6 +40,7 @@ private:
     /// Everybody who may touch a body on its way, or more; nobody twice.
     template <class Visit>
     void visit(BodyId body, const EpochTime& from, const EpochTime& to, const Visit& visit);
+    void note_step(BodyId body, const EpochTime& now);
     void set_reference(const EpochTime& at);
     /// What a squared distance must exceed to be of no interest: neither an overlap nor the smallest gap.
     double interesting(double contact) const
@@ -66,7 +67,8 @@ private:
     bool all_pairs_;
     std::optional<Cells> cells_;
     EpochTime slab_begin_, slab_end_;
-    double slab_ = 1;  ///< duration, a power of two [epochs]
+    double longest_step_ = 0;  ///< that a numeric piece has taken so far [epochs]
+    double slab_ = 1;          ///< duration, a power of two [epochs]
     std::size_t entries_at_begin_ = 0;
     std::vector<BodyId> order_;  ///< bodies, neighbours in space mostly neighbours here: their cells share memory
     std::int64_t slabs_ = 0;
