@@ -17,8 +17,6 @@ constexpr double stretch = 0x1p12;
 
 /// Fewer contacts are equalised sooner than factored.
 constexpr std::size_t factored_from = 16;
-/// Against squares of singular values, at most about 10: that of a tower of a thousand is 2.5e-6.
-constexpr double epsilon = 1e-6;
 
 }  // namespace
 
@@ -42,7 +40,7 @@ EqualisingChange equalising_change(const Cluster& cluster, std::span<const doubl
     std::optional<ActiveFactor> factor;
     if (normals.size() >= factored_from) {
         factor.emplace(w.size(), normals);
-        factor->take_epsilon(epsilon);
+        factor->take_epsilon(small_epsilon);
         factor->follow(all);
     }
     ShortestChange found = shortest_change(normals, all, scaled, w.size(), {factor ? &*factor : nullptr, furthest});

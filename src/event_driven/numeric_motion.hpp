@@ -14,9 +14,10 @@ struct NumericPart {
     struct Contact {
         Touch touch;
         double force;  ///< as the step begins [mass length/time^2]
-        Place other;  ///< of the sphere that is none of the bodies, if one is
+        Place other;   ///< of the sphere that is none of the bodies, if one is
     };
-    std::vector<Body> bodies;  ///< ascending; whoever moves; what they touch and does not move takes part as if it were fixed
+    std::vector<Body>
+        bodies;  ///< ascending; whoever moves; what they touch and does not move takes part as if it were fixed
     std::vector<Contact> contacts;
 };
 
@@ -33,7 +34,8 @@ struct NumericMotion {
 /// stands for the piece, and may come a little late. Not before `earliest`, not after the key's time.
 EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& earliest);
 
-/// One step of rest.numeric_step, or less if a contact opens. \param opening see NumericCluster
+/// One step of rest.numeric_step; less if a contact opens, or where the last ones were cut short by impacts. \param
+/// opening see NumericCluster
 NumericMotion numeric_motion(const State& state, const NumericPart& part, const EpochTime& now, double opening);
 
 }  // namespace carom

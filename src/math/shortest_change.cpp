@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace carom {
 
@@ -94,12 +95,10 @@ public:
         }
         // Without a factor combinations begin as residuals, and what is left of these at the end changes nothing: it
         // goes, if the search came so close that it really changes nothing.
-        if (options_.factor || left <= hardly) return {std::move(change), std::move(x)};
-        const Step idle = preconditioned(gradient, residual);
-        if (shares * std::sqrt(product(idle.direction, idle.direction)) <=
-            negligible * std::sqrt(product(change, change))) {
-            x = sum(std::move(x), -shares, idle.combination);
-            change = sum(std::move(change), -shares, idle.direction);
+        if (!options_.factor && left > hardly &&
+            shares * std::sqrt(slope) <= negligible * std::sqrt(product(change, change))) {
+            x = sum(std::move(x), -shares, residual);
+            change = sum(std::move(change), -shares, gradient);
         }
         return {std::move(change), std::move(x)};
     }

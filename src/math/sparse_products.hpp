@@ -8,14 +8,15 @@ namespace carom {
 
 /// As DenseProducts, for thousands of normals that each concern one vector or two. Those that depend on each other get
 /// multipliers all the same. These are nearly right: asked again for what they leave, they leave epsilon / sigma^2 of
-/// it, sigma the singular values of the normals (the method of multipliers; Bertsekas 1982, chapter 2).
+/// it, sigma the singular values of the normals (the method of multipliers; Bertsekas, Constrained Optimization and
+/// Lagrange Multiplier Methods, 1982, chapter 2).
 class SparseProducts {
 public:
     /// \param normals outlive this
     SparseProducts(std::span<const UnitNormal> normals, std::size_t vectors)
         : normals_(normals), vectors_(vectors), factor_(vectors, normals)
     {
-        factor_.take_epsilon(epsilon);
+        factor_.take_epsilon(small_epsilon);
     }
 
     bool follow(const std::vector<char>& active)
@@ -30,20 +31,17 @@ public:
     {
         UnitVectors y(vectors_, BlockCholesky::Vector{});
         for (std::size_t i = 0; i < normals_.size(); ++i)
-            if (active_[i]) normals_[i].add_to(y, wanted[i] / epsilon);
+            if (active_[i]) normals_[i].add_to(y, wanted[i] / small_epsilon);
         factor_.solve(y);
         std::vector<double> out(normals_.size(), 0);
         for (std::size_t i = 0; i < normals_.size(); ++i)
-            if (active_[i]) out[i] = (wanted[i] - normals_[i].dot(y)) / epsilon;
+            if (active_[i]) out[i] = (wanted[i] - normals_[i].dot(y)) / small_epsilon;
         return out;
     }
 
     static constexpr int refinements = 8;
 
 private:
-    /// Against squares of singular values, at most about 10: that of a tower of a thousand is 2.5e-6.
-    static constexpr double epsilon = 1e-6;
-
     std::span<const UnitNormal> normals_;
     const std::size_t vectors_;
     ActiveFactor factor_;
