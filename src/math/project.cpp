@@ -6,7 +6,6 @@
 #include "math/gauss_seidel.hpp"
 #include "math/primal_dual_active_set.hpp"
 
-#include <cstdio>
 #include <numeric>
 
 namespace carom {

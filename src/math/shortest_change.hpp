@@ -12,7 +12,7 @@ struct ShortestChange {
 };
 
 struct ShortestChangeOptions {
-    /// Factor of these normals, all of them or `only` some active: saves steps. Null for none.
+    /// Of these normals, the same ones active: saves steps. Null for none.
     const ActiveFactor* factor = nullptr;
     /// By vector, or empty: no vector changes by more. Where it would, what was found until then is the result.
     std::span<const double> furthest = {};

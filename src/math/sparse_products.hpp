@@ -39,7 +39,7 @@ public:
         return out;
     }
 
-    static constexpr int refinements = 8;
+    static constexpr int refinements = 8;  ///< see DenseProducts
 
 private:
     std::span<const UnitNormal> normals_;
