@@ -25,3 +25,8 @@ function(carom_library target)
     message(FATAL_ERROR "no sources for ${target}")
   endif()
 endfunction()
+
+# For what is built more often than it runs: tests, and the command line. A third less to compile.
+function(carom_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
