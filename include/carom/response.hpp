@@ -66,8 +66,8 @@ inline constexpr std::array<std::string_view, 3> guard_fallback_names{"moreau", 
 
 /// Where impacts of connected bodies, some of them inelastic, accumulate, a discrete method takes these bodies over.
 struct GuardOptions {
-    bool on = true;                ///< off: such a run ends with Status::unresolved
-    int impacts = 100;             ///< B >= 1: more than B n instants of n connected bodies within a window are too many
+    bool on = true;     ///< off: such a run ends with Status::unresolved
+    int impacts = 100;  ///< B >= 1: more than B n instants of n connected bodies within a window are too many
     std::optional<double> window;  ///< > 0 [time]; unset: the numeric step h
     GuardFallback fallback = GuardFallback::moreau;
 };

@@ -56,7 +56,8 @@ std::string verify_table(const Certificate& c)
             {"numeric pieces", fmt::format("overlap at most {:.2g}, at their ends {:.2g} of place, {:.2g} of "
                                            "speed",
                                            c.numeric_depth, c.largest_numeric_jump, c.largest_numeric_kick)});
-    if (c.settles > 0) rows.push_back({"settled", fmt::format("{} contacts that opened slowly, by impulses", c.settles)});
+    if (c.settles > 0)
+        rows.push_back({"settled", fmt::format("{} contacts that opened slowly, by impulses", c.settles)});
     if (c.guards > 0)
         rows.push_back({"guard", fmt::format("{} windows, overlap at most {:.2g}", c.guards, c.guarded_depth)});
     return aligned(rows, 2);

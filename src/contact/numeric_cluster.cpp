@@ -179,8 +179,7 @@ void put_back(const NumericCluster& cluster, const std::vector<double>& forces, 
         }
         if (wanted.empty()) continue;
         const std::vector<Vec3> change = equalising_change(some, wanted).change;
-        for (std::size_t k = 0; k < change.size(); ++k)
-            (gaps ? bodies[k].position : bodies[k].velocity) += change[k];
+        for (std::size_t k = 0; k < change.size(); ++k) (gaps ? bodies[k].position : bodies[k].velocity) += change[k];
     }
 }
 

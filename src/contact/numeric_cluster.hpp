@@ -51,9 +51,9 @@ struct NumericStep {
 NumericStep numeric_step(const NumericCluster& cluster, double h);
 
 /// The cluster within its step: velocities by Hermite's cubic through velocities and accelerations at both ends, exact
-/// to h^4, places by its integral, exact to h^5 (dense output: Hairer, Norsett and Wanner, Solving Ordinary Differential
-/// Equations I, section II.6; places at both ends would be divided by h, which may be as short as rounding); contacts
-/// that carry put back as at the end. \param t from 0 to the duration [time]
+/// to h^4, places by its integral, exact to h^5 (dense output: Hairer, Norsett and Wanner, Solving Ordinary
+/// Differential Equations I, section II.6; places at both ends would be divided by h, which may be as short as
+/// rounding); contacts that carry put back as at the end. \param t from 0 to the duration [time]
 std::vector<NumericBody> within_step(const NumericCluster& cluster, const NumericStep& step, double t);
 /// One of its bodies, before anything is put back.
 NumericBody within_step(const NumericCluster& cluster, const NumericStep& step, std::size_t body, double t);

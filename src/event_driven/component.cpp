@@ -142,7 +142,7 @@ private:
 
     const State& state_;
     const Key& key_;
-    Instant instant_;
+    ContactInstant instant_;
     Moment moment_;
     const Neighbourhood& neighbourhood_;
     bool ties_ = false;  ///< contacts may close at this very instant

@@ -103,7 +103,8 @@ private:
         double widest = 0;
         for (const std::size_t i : held) {
             const int a = contacts_.a(i), b = contacts_.b(i);
-            if (!stays[static_cast<std::size_t>(a)] || (b != immovable && !stays[static_cast<std::size_t>(b)])) continue;
+            if (!stays[static_cast<std::size_t>(a)] || (b != immovable && !stays[static_cast<std::size_t>(b)]))
+                continue;
             ClusterContact c{number[static_cast<std::size_t>(a)],
                              b == immovable ? immovable : number[static_cast<std::size_t>(b)], touch(i).normal, 0, 1};
             if (c.a == immovable) {
@@ -197,8 +198,8 @@ private:
             const BodyId other = a_moves ? t.b : t.a;
             const int k = a_moves ? contacts_.b(i) : contacts_.a(i);
             if (!state_.is_plane(other) && !moves(k))
-                numeric.contacts.back().other =
-                    k == immovable ? state_.flight(other).place : component().flights[static_cast<std::size_t>(k)].place;
+                numeric.contacts.back().other = k == immovable ? state_.flight(other).place
+                                                               : component().flights[static_cast<std::size_t>(k)].place;
         }
         const NumericMotion motion = numeric_motion(state_, numeric, now_, contacts_.soft());
         if (!motion.opened.empty()) {

@@ -20,8 +20,8 @@ public:
     {
     }
 
-    /// Count an event of `body`, each event for one of its bodies; true when its component may have had too many, and it
-    /// is time to ask: beyond B, then when it has used up its share of what the last answer left.
+    /// Count an event of `body`, each event for one of its bodies; true when its component may have had too many, and
+    /// it is time to ask: beyond B, then when it has used up its share of what the last answer left.
     bool add(const State& state, const EpochTime& now, BodyId body)
     {
         if (!(length_ > 0)) return false;

@@ -127,7 +127,8 @@ private:
             if (!alone && another_closes(frame, wall, place, before, radius, tie)) break;
             Contact again{never, &wall, height(frame, wall, place, radius), 0};
             if (!(normal.dot(before) < 0)) break;
-            if (inelastic && !(wall.gravity < 0) && is_inelastic(state, wall.law, 0, wall.body, -normal.dot(before), next.time))
+            if (inelastic && !(wall.gravity < 0) &&
+                is_inelastic(state, wall.law, 0, wall.body, -normal.dot(before), next.time))
                 break;
             const Vec3 change = velocity_change(before, normal, wall.law), after = before + change;
             again.w = normal.dot(after);

@@ -32,8 +32,8 @@ struct PairMotion {
 };
 PairMotion pair_motion(const State& state, const Moving& a, const Moving& b);
 Root pair_root(const State& state, const PairMotion& motion);
-/// Can they not meet before `limit`, or before a numeric piece of one of them ends? A quick answer: false where it takes
-/// more to know.
+/// Can they not meet before `limit`, or before a numeric piece of one of them ends? A quick answer: false where it
+/// takes more to know.
 bool meet_too_late(const State& state, BodyId a, BodyId b, const PairMotion& motion, EpochTime limit);
 
 /// Of a sphere above a plane, at the start of its flight.

@@ -73,8 +73,7 @@ void Persistence::release(std::vector<char> opens)
 Vec3 Persistence::relative_velocity(std::size_t contact) const
 {
     const Vec3& v = component_.flights[static_cast<std::size_t>(a(contact))].velocity;
-    return b(contact) == immovable ? v
-                                   : Vec3(v - component_.flights[static_cast<std::size_t>(b(contact))].velocity);
+    return b(contact) == immovable ? v : Vec3(v - component_.flights[static_cast<std::size_t>(b(contact))].velocity);
 }
 
 double Persistence::rate(std::size_t contact) const
@@ -200,9 +199,9 @@ void Persistence::let_open(std::vector<char>& opens)
     }
 }
 
-/// What opens a contact less than this does not open it. Without gravity: by less than its tolerance until the end of the
-/// run. Where one that has just closed meets a numeric piece, and turns: by less than that within a step, after which it
-/// is asked again. (The parabola that stands for such a piece may close what its step opens.)
+/// What opens a contact less than this does not open it. Without gravity: by less than its tolerance until the end of
+/// the run. Where one that has just closed meets a numeric piece, and turns: by less than that within a step, after
+/// which it is asked again. (The parabola that stands for such a piece may close what its step opens.)
 double Persistence::softest(std::size_t contact) const
 {
     const Touch& t = component_.contacts[contact];
@@ -211,7 +210,8 @@ double Persistence::softest(std::size_t contact) const
     const auto is_numeric = [&](BodyId body) {
         return !state_.is_plane(body) && state_.flight(body).mode == Mode::numeric;
     };
-    if (!t.persistent && turns(contact) && (is_numeric(t.a) || is_numeric(t.b))) time = std::min(time, state_.rest.numeric_step);
+    if (!t.persistent && turns(contact) && (is_numeric(t.a) || is_numeric(t.b)))
+        time = std::min(time, state_.rest.numeric_step);
     return std::max(soft_, 2 * persistence_gap(state_, t.a, t.b) / time / time);
 }
 
@@ -255,9 +255,9 @@ void Persistence::bring_to_rest()
     }
 }
 
-/// A closed contact that still closes, slowly: because jammed bodies cannot open it, or by the rounding in the speed of one
-/// that has come to rest. It persists, though it carries nothing. (If it were left alone it would close at this very
-/// instant, again and again.)
+/// A closed contact that still closes, slowly: because jammed bodies cannot open it, or by the rounding in the speed of
+/// one that has come to rest. It persists, though it carries nothing. (If it were left alone it would close at this
+/// very instant, again and again.)
 void Persistence::hold_pressed()
 {
     for (std::size_t i = 0; i < count(); ++i) {
@@ -289,8 +289,7 @@ std::vector<std::vector<std::size_t>> Persistence::parts() const
     return out;
 }
 
-std::vector<std::vector<std::size_t>> Persistence::contacts_of(
-    const std::vector<std::vector<std::size_t>>& parts) const
+std::vector<std::vector<std::size_t>> Persistence::contacts_of(const std::vector<std::vector<std::size_t>>& parts) const
 {
     std::vector<std::size_t> part_of(component_.bodies.size());
     for (std::size_t p = 0; p < parts.size(); ++p)

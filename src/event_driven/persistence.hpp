@@ -22,7 +22,7 @@ public:
     /// Positions of a contact's spheres in `bodies`; `immovable` for b where it is none of them.
     int a(std::size_t contact) const { return links_[contact].a; }
     int b(std::size_t contact) const { return links_[contact].b; }
-    double force(std::size_t contact) const { return force_[contact]; }              ///< [mass length/time^2]
+    double force(std::size_t contact) const { return force_[contact]; }               ///< [mass length/time^2]
     const Vec3& acceleration(std::size_t body) const { return acceleration_[body]; }  ///< [length/time^2]
     bool rests(std::size_t body) const;
     /// Does the normal turn? Then what the contact carries has no closed form.
@@ -61,8 +61,8 @@ private:
     ContactComponent component_;
     const std::vector<ClusterContact> links_;  ///< the contacts as clusters have them
     const Vec3 gravity_;
-    const double slow_;               ///< contacts no faster than this neither open nor close [length/time]
-    const double soft_;               ///< nothing opens a contact with less acceleration than this [length/time^2]
+    const double slow_;  ///< contacts no faster than this neither open nor close [length/time]
+    const double soft_;  ///< nothing opens a contact with less acceleration than this [length/time^2]
     /// Accelerations of bodies in contact are the same within this, and are 0. (One threshold for both: otherwise one
     /// body rests while the other leaves it.)
     const double same_ = 4 * soft_;

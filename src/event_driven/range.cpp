@@ -50,9 +50,9 @@ std::string of_frame(const Scene& scene, double until)
             return s.id + ": a place " + to_text(largest(s.position)) +
                    " is beyond 2^60 times the smallest radius (move the origin, or leave the smallest sphere out)";
     if (!(until <= most_epochs * frame.epoch_length))
-        return "an end at " + to_text(until) +
-               " is too far for the fastest sphere: it passes its radius in " + to_text(frame.epoch_length) +
-               ", and times are exact up to " + to_text(most_epochs * frame.epoch_length) + " (choose an earlier end)";
+        return "an end at " + to_text(until) + " is too far for the fastest sphere: it passes its radius in " +
+               to_text(frame.epoch_length) + ", and times are exact up to " +
+               to_text(most_epochs * frame.epoch_length) + " (choose an earlier end)";
     return {};
 }
 

@@ -23,7 +23,7 @@ bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const
     return f.support == several_supports ||
            (is_inelastic(state, law, key.a, key.b, -normal.dot(f.velocity), key.time) && !pressed()) ||
            belongs_to_previous_instant(state, key) ||
-           other_closed(state, Instant(state, key), f, key.a, key.b, neighbourhood);
+           other_closed(state, ContactInstant(state, key), f, key.a, key.b, neighbourhood);
 }
 
 }  // namespace

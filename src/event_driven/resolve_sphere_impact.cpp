@@ -34,7 +34,7 @@ bool stays(const State& state, const Key& key, const ContactLaw& law, const Flig
 bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const Flight& a, const Flight& b,
                 const Vec3& normal, const Neighbourhood& neighbourhood)
 {
-    const Instant instant(state, key);
+    const ContactInstant instant(state, key);
     return a.support == several_supports || b.support == several_supports || stays(state, key, law, a, b, normal) ||
            belongs_to_previous_instant(state, key) || other_closed(state, instant, a, key.a, key.b, neighbourhood) ||
            other_closed(state, instant, b, key.b, key.a, neighbourhood);

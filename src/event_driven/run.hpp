@@ -164,8 +164,7 @@ private:
 
     void report(const Event& event)
     {
-        if (state_.loses_energy && event.kind == EventKind::impact &&
-            state_.law(event.a, event.b).restitution < 1) {
+        if (state_.loses_energy && event.kind == EventKind::impact && state_.law(event.a, event.b).restitution < 1) {
             state_.recent.add(event.a, event.b, now_);
             hit_.push_back(state_.is_fixed(event.a) ? event.b : event.a);
         }
@@ -302,7 +301,7 @@ private:
     State state_;
     Ledger ledger_;
     std::vector<BodyId> changed_;  ///< by the present event of a component
-    std::vector<BodyId> hit_;  ///< one that can move for each impact of the present event that loses energy
+    std::vector<BodyId> hit_;      ///< one that can move for each impact of the present event that loses energy
     const RunOptions& options_;
     const Observer& observer_;
     EpochTime end_, now_;

@@ -34,19 +34,19 @@ bool closed_contact(const State& state, const Flight& a, BodyId id, int plane)
 
 }  // namespace
 
-bool Instant::is_certifiable_contact(BodyId body, BodyId other) const
+bool ContactInstant::is_certifiable_contact(BodyId body, BodyId other) const
 {
     return state_.is_plane(other) ? flies_freely(state_.flight(body)) : is_certifiable(state_, body, other);
 }
 
-Enclosure<DoubleDouble> Instant::wait(BodyId body, BodyId other) const
+Enclosure<DoubleDouble> ContactInstant::wait(BodyId body, BodyId other) const
 {
     const Flown a = flown(state_, body, contact_.time);
     return state_.is_plane(other) ? plane_wait(state_, a, body, state_.plane_index(other))
                                   : pair_wait(state_, a, body, flown(state_, other, contact_.time), other);
 }
 
-bool Instant::is_that_of(BodyId body, BodyId other) const
+bool ContactInstant::is_that_of(BodyId body, BodyId other) const
 {
     if (!state_.certified() || !is_certifiable_contact(body, other) || !is_certifiable_contact(contact_.a, contact_.b))
         return true;
@@ -54,7 +54,7 @@ bool Instant::is_that_of(BodyId body, BodyId other) const
     return !(its.t_hi < own.t_lo) && !(own.t_hi < its.t_lo);
 }
 
-bool other_closed(const State& state, const Instant& instant, const Flight& now, BodyId body, BodyId partner,
+bool other_closed(const State& state, const ContactInstant& instant, const Flight& now, BodyId body, BodyId partner,
                   const Neighbourhood& neighbourhood)
 {
     if (now.mode == Mode::fixed) return false;  // contacts are linked through bodies that can move

@@ -9,9 +9,9 @@ namespace carom {
 
 /// The instant of one contact. Runs of doubles count as one what is closed within the tie (State::tie); certified runs
 /// only what closes at the same time, so far as double-double can tell.
-class Instant {
+class ContactInstant {
 public:
-    Instant(const State& state, const Key& contact) : state_(state), contact_(contact) {}
+    ContactInstant(const State& state, const Key& contact) : state_(state), contact_(contact) {}
     bool is_that_of(BodyId body, BodyId other) const;
 
 private:
@@ -25,7 +25,7 @@ private:
 
 /// Is another contact of `body` closed at this very instant and not opening, next to the one with `partner`?
 /// \param now the body's flight, advanced to this instant
-bool other_closed(const State& state, const Instant& instant, const Flight& now, BodyId body, BodyId partner,
+bool other_closed(const State& state, const ContactInstant& instant, const Flight& now, BodyId body, BodyId partner,
                   const Neighbourhood& neighbourhood);
 
 /// Was the contact of this event already closed, and closing, when the later of its flights began at an impact? Then it

@@ -28,9 +28,8 @@ State::State(const Scene& s, bool certified)
       stamps(s.spheres.size(), 0),
       recent(frame, rest.window, s.spheres.size()),
       loses_energy(laws.lose_energy()),
-      rebound_gap(loses_energy && s.rest.policy == RestPolicy::contact && !certified
-                      ? rest.closing_speed * rest.window / 4
-                      : 0)
+      rebound_gap(
+          loses_energy && s.rest.policy == RestPolicy::contact && !certified ? rest.closing_speed * rest.window / 4 : 0)
 {
     flights.reserve(s.spheres.size());
     radii.reserve(s.spheres.size());

@@ -56,9 +56,9 @@ struct State {
     RecentImpacts recent;                       ///< of contacts with e < 1
     bool loses_energy;                          ///< some e < 1
     /// v_c tau_p / 4, the height of a rebound of v_c that lasts tau_p: smaller gaps are closed as far as impacts are
-    /// concerned where a contact closed less than tau_p ago (this project; without it they close one after the other, ever
-    /// again, as Gauss and Seidel would have it). 0 where all e = 1 or policy contact does not hold, and in certified runs
-    /// [length].
+    /// concerned where a contact closed less than tau_p ago (this project; without it they close one after the other,
+    /// ever again, as Gauss and Seidel would have it). 0 where all e = 1 or policy contact does not hold, and in
+    /// certified runs [length].
     double rebound_gap;
 
     const Sphere& sphere(BodyId body) const { return scene.spheres[static_cast<std::size_t>(body)]; }

@@ -23,7 +23,8 @@ public:
     bool lose_energy() const
     {
         const auto loses = [](const ContactLaw& law) { return law.restitution < 1; };
-        return std::any_of(spheres_.begin(), spheres_.end(), loses) || std::any_of(planes_.begin(), planes_.end(), loses);
+        return std::any_of(spheres_.begin(), spheres_.end(), loses) ||
+               std::any_of(planes_.begin(), planes_.end(), loses);
     }
     const ContactLaw& spheres(int a, int b) const { return spheres_[index(a, b)]; }
     const ContactLaw& plane(int sphere, int plane) const { return planes_[index(sphere, plane)]; }

@@ -39,7 +39,6 @@ inline PairImpact resolve_pair(const ImpactSide& a, const ImpactSide& b, const V
     // Against a body that never moves the mass cancels, and must not cost a rounding.
     out.velocity_a =
         b.inverse_mass == 0 ? Vec3(a.velocity + change) : Vec3(a.velocity + (reduced_mass * a.inverse_mass) * change);
-    if (a.inverse_mass == 0) out.velocity_a = a.velocity;
     out.velocity_b = b.inverse_mass == 0   ? b.velocity
                      : a.inverse_mass == 0 ? Vec3(b.velocity - change)
                                            : Vec3(b.velocity - (reduced_mass * b.inverse_mass) * change);

@@ -129,10 +129,9 @@ bool have_one_restitution(const Cluster& cluster)
                        [first](const ClusterContact& contact) { return contact.restitution == first; });
 }
 
-/// Restitution of the whole: that of the contacts which close and do not open when all are inelastic, each by the energy
-/// m_red c^2 / 2 that it closes with. (Not by the inelastic multipliers, which need not be unique: the outcome would
-/// depend on the order of contacts. The inelastic velocities are unique.)
-/// \param without inelastic velocities
+/// Restitution of the whole: that of the contacts which close and do not open when all are inelastic, each by the
+/// energy m_red c^2 / 2 that it closes with. (Not by the inelastic multipliers, which need not be unique: the outcome
+/// would depend on the order of contacts. The inelastic velocities are unique.) \param without inelastic velocities
 double blended_restitution(const Cluster& cluster, const ProjectionProblem& problem, std::span<const Vec3> without)
 {
     double sum = 0, weighted = 0;

@@ -1,7 +1,6 @@
 #include "math/augmented_lagrangian.hpp"
 
 #include "math/active_factor.hpp"
-#include "math/gauss_seidel.hpp"
 #include "math/line_search.hpp"
 
 #include <algorithm>
@@ -22,7 +21,6 @@ constexpr double good_round = 0.2;
 /// A round of more Newton steps tells that epsilon is small enough for the time being.
 constexpr int easy = 8;
 
-constexpr int first_sweeps = 30;
 constexpr int most_rounds = 200;
 constexpr int most_inner_steps = 60;
 constexpr int most_steps = 1000;
@@ -41,11 +39,8 @@ public:
 
     AugmentedLagrangianResult solve(std::span<const double> guess)
     {
-        std::vector<double> first(guess.begin(), guess.end());
-        if (first.empty())
-            first = gauss_seidel(problem_, first_sweeps, std::vector<double>(normals_.size(), 0.0)).multipliers;
         for (std::size_t i = 0; i < normals_.size(); ++i)
-            multiplier_.push_back(std::max(0.0, first[i] * normals_[i].length));
+            multiplier_.push_back(std::max(0.0, guess[i] * normals_[i].length));
         place_point();
         double error = largest_error();
         bool improves = true;
@@ -166,10 +161,9 @@ private:
 
 }  // namespace
 
-AugmentedLagrangianResult augmented_lagrangian(const ProjectionProblem& problem,
-                                               const AugmentedLagrangianOptions& options)
+AugmentedLagrangianResult augmented_lagrangian(const ProjectionProblem& problem, std::span<const double> guess)
 {
-    return AugmentedLagrangian(problem).solve(options.guess);
+    return AugmentedLagrangian(problem).solve(guess);
 }
 
 }  // namespace carom

@@ -49,7 +49,7 @@ Projection solve_sparse(const ProjectionProblem& part, std::span<const double> g
         guess = swept;
     }
     Projection out = primal_dual_active_set(part, guess, Factors::sparse);
-    if (!out.complete) out = augmented_lagrangian(part, {guess}).projection;
+    if (!out.complete) out = augmented_lagrangian(part, guess).projection;
     if (!out.complete && part.half_spaces.size() <= dense_at_most) out = dual_active_set(part).projection;
     return out;
 }

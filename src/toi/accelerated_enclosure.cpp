@@ -105,8 +105,8 @@ private:
         return sign != 0 ? sign : cut.is_minimum ? 1 : -1;
     }
 
-    /// The roots of H' before the end at which it changes sign; the second one, or an only one from H' < 0, is a minimum
-    /// of H.
+    /// The roots of H' before the end at which it changes sign; the second one, or an only one from H' < 0, is a
+    /// minimum of H.
     std::vector<Cut> turns_of_h() const
     {
         const auto& c = gap_.h_rate.coefficients();  // c[2] > 0
@@ -198,8 +198,8 @@ Enclosure<double> enclose_accelerated(const ExactMotion& motion)
         const Enclosure<double> out = enclose(gap);
         if (out.decided != Decision::impact || out.t_hi == 0 || std::ldexp(out.t_lo, -time) > too_early) return out;
     }
-    // In seconds every double is an answer; signs take longer. Turns beyond the horizon hide no contact before it: where
-    // they are so late, falls are so steep that contact and turn are one.
+    // In seconds every double is an answer; signs take longer. Turns beyond the horizon hide no contact before it:
+    // where they are so late, falls are so steep that contact and turn are one.
     return enclose(quartic_gap(motion, 0));
 }
 

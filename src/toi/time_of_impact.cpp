@@ -91,8 +91,7 @@ TimeOfImpact time_of_impact(const MovingSphere& a, const MovingSphere& b)
     const DoubleDouble3 apart = motion.r + t * (motion.v + (DoubleDouble(0.5) * t) * motion.a);
     Vec3 normal = direction(apart);
     // From more than some 2^100 contact distances away no digit of the contact is left, only that they approach.
-    if (time.t > 0 && (normal.isZero(0) || !has_digits(apart, motion.contact_distance)))
-        normal = -direction(velocity);
+    if (time.t > 0 && (normal.isZero(0) || !has_digits(apart, motion.contact_distance))) normal = -direction(velocity);
     // Centres that coincide at relative speed 0 can only part.
     if (normal.isZero(0)) return out;
     out.status = time.status;

@@ -30,7 +30,8 @@ void ImpactAudit::begin(std::span<const Event> events, std::span<const FlightRec
     bodies_.begin(events, flights, now);
 }
 
-/// While something happens, who was close by may begin a new flight, too: its place and speed are looked at all the same.
+/// While something happens, who was close by may begin a new flight, too: its place and speed are looked at all the
+/// same.
 bool ImpactAudit::is_excused(const Before& b) const
 {
     return b.series || b.path.mode == Mode::numeric || bodies_.is_stirred();
@@ -122,7 +123,8 @@ void ImpactAudit::check_speed(const Before& b, const Path& after)
     allowed += 16 * u * bodies_.speeds() * along;
     // A solver has found them, if not here then where the scene begins with contacts that are closed.
     const bool begins = bodies_.now() == EpochTime{};
-    if (bodies_.knows_several_contacts() || begins || several) allowed.array() += hidden * (b.pushes / mass + bodies_.speeds());
+    if (bodies_.knows_several_contacts() || begins || several)
+        allowed.array() += hidden * (b.pushes / mass + bodies_.speeds());
     if (several || bodies_.has_several_contacts()) allowed.array() += bodies_.settling();
     if (support >= 0) {
         const Vec3& n = data_.wall(support).normal;

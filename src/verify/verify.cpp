@@ -192,8 +192,7 @@ private:
             audit_.change(flight.body);
         }
         audit_.end();
-        for (const FlightRecord& flight : flights)
-            coverage_.check_support(flight.body, now_, Coverage::Edge::begins);
+        for (const FlightRecord& flight : flights) coverage_.check_support(flight.body, now_, Coverage::Edge::begins);
         return true;
     }
 

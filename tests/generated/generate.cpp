@@ -210,8 +210,9 @@ void mixed(Builder& b)
     b.scene.materials[0].restitution = b.random.uniform(0, 0.5);
 }
 
-/// The same scene of smaller grains. The kinds are drawn with radii of centimetres: pebbles, which roll for seconds. What
-/// people simulate is powder to gravel. Under gravity times shrink by sqrt(factor), so that most of them come to rest.
+/// The same scene of smaller grains. The kinds are drawn with radii of centimetres: pebbles, which roll for seconds.
+/// What people simulate is powder to gravel. Under gravity times shrink by sqrt(factor), so that most of them come to
+/// rest.
 void resize(Scene& scene, double factor)
 {
     const double speeds = scene.gravity.isZero(0) ? factor : std::sqrt(factor);

@@ -74,8 +74,8 @@ std::string Tally::table(double seconds) const
     text += line("body-seconds     closed form %.4f %%, numeric %.4f %%, guarded %.4f %%\n",
                  100 * share(closed_form_, bodies), 100 * share(numeric_, bodies), 100 * share(guarded_, bodies));
     text += line("spheres lost     %lld\n", lost_);
-    text += line("deepest          %.3g r (scene %llu); deeper than stated, or sunk, in %lld scenes\n", penetration_.value,
-                 static_cast<unsigned long long>(penetration_.index), deeper_);
+    text += line("deepest          %.3g r (scene %llu); deeper than stated, or sunk, in %lld scenes\n",
+                 penetration_.value, static_cast<unsigned long long>(penetration_.index), deeper_);
     return text + (targets_met() ? "targets met\n" : "targets MISSED\n");
 }
 

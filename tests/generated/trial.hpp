@@ -16,11 +16,11 @@ struct Trial {
     double cpu_seconds = 0;  ///< [s]
     Counts counts;
     double closed_form = 0, numeric = 0, guarded = 0;  ///< body-seconds [time]
-    double busiest_window = 0;                         ///< most impacts within one h before its last instant, a share of B n
-    int lost = 0;                                      ///< spheres behind a plane or nowhere, at the end
-    double penetration = 0;                            ///< deepest at 200 times, of the smaller radius [1]
-    double stated = 0;                                 ///< Outcome::max_penetration, of the smallest radius [1]
-    char message[256] = {};                            ///< Outcome::message, cut off
+    double busiest_window = 0;  ///< most impacts within one h before its last instant, a share of B n
+    int lost = 0;               ///< spheres behind a plane or nowhere, at the end
+    double penetration = 0;     ///< deepest at 200 times, of the smaller radius [1]
+    double stated = 0;          ///< Outcome::max_penetration, of the smallest radius [1]
+    char message[256] = {};     ///< Outcome::message, cut off
 };
 
 /// \param seconds limit for the run, of clock time; twice as much CPU time later the process is killed [s]

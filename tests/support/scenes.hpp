@@ -72,7 +72,8 @@ inline Scene shaft(std::uint64_t seed, int count, double end_time)
     }
     Random random(seed);
     for (int k = 0; k < count; ++k) {
-        const double r = random.uniform(0.028, 0.034), x = random.uniform(r, width - r), y = random.uniform(r, width - r);
+        const double r = random.uniform(0.028, 0.034), x = random.uniform(r, width - r),
+                     y = random.uniform(r, width - r);
         add_sphere(scene, r, {x, y, 0.05 + 0.08 * k});
     }
     return scene;

@@ -31,7 +31,8 @@ std::array<double, 2> angle_after(double angle, double rate, double time)
     const auto pull = [](double x) { return gravity / reach * std::sin(x); };
     for (int i = 0; i < steps; ++i) {
         const double k1 = rate, l1 = pull(angle), k2 = rate + h / 2 * l1, l2 = pull(angle + h / 2 * k1);
-        const double k3 = rate + h / 2 * l2, l3 = pull(angle + h / 2 * k2), k4 = rate + h * l3, l4 = pull(angle + h * k3);
+        const double k3 = rate + h / 2 * l2, l3 = pull(angle + h / 2 * k2), k4 = rate + h * l3,
+                     l4 = pull(angle + h * k3);
         angle += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         rate += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
     }

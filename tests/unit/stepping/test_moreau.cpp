@@ -156,7 +156,7 @@ TEST_CASE("moreau: a tower rests with the overlap of a few steps of gravity, and
             CHECK(outcome.plane_impulses[0] / 10 == Approx(5 * 9.81).epsilon(0.01));
             depths.push_back(outcome.max_penetration);
         }
-        if (e == 0) CHECK(depths[1] < 1e-6);  // what a hundred sweeps leave
+        if (e == 0) CHECK(depths[1] < 1e-6);            // what a hundred sweeps leave
         if (e > 0) CHECK(depths[1] < 0.3 * depths[0]);  // with the square of the step
     }
 }

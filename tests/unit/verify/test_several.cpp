@@ -196,7 +196,7 @@ TEST_CASE("cluster impacts that lose momentum, gain energy, pull, or close after
     CHECK_REFUSED(alone.examined(), "without an event");
 }
 
-TEST_CASE("an impact without rebound is allowed below v_c, if its rebound would be slower than v_c and is held, or if the contact closed less than tau_p ago", "[verify]")
+TEST_CASE("no rebound: below v_c, where a rebound below v_c is held, and less than tau_p after the last", "[verify]")
 {
     CHECK_HOLDS(sticking(0.25, 0.3).examined());
     CHECK_HOLDS(sticking(0.25, 0.2).examined());  // too fast for that, but its rebound of 0.125 is slow, and held

@@ -88,7 +88,8 @@ TEST_CASE("heaps that settle hold; impulses at gaps of contacts that closed long
     }
 }
 
-TEST_CASE("heaps in which pushes and pulls of one instant cancel hold; closing again and again needs no guard", "[verify]")
+TEST_CASE("heaps in which pushes and pulls of one instant cancel hold; closing again and again needs no guard",
+          "[verify]")
 {
     std::int64_t guards = 0;
     for (const std::uint64_t seed : {146, 166, 236, 263}) {
