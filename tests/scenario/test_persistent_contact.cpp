@@ -351,6 +351,37 @@ TEST_CASE("an intruder meets the bounces that a series had summed")
         CHECK((summed.outcome.final[i].velocity - real.outcome.final[i].velocity).norm() <= 1e-9);
 }
 
+TEST_CASE("what stops in a wedge is pressed by gravity alone, not by the turning of a normal that it has ended")
+{
+    // Under a sphere and on the floor, where gravity leans into the gap. It rebounds slower than v_c, so it stays.
+    Scene scene = empty_scene(1.5, {2, 0, -9.81}, 0.5);
+    scene.rest.closing_speed = 0.5;
+    add_floor(scene);
+    add_sphere(scene, 0.5, {0, 0, 0.9});
+    scene.spheres[0].fixed = true;
+    add_sphere(scene, 0.5, {-1.2, 0, 0.5}, {0.3, 0, 0});
+    const Outcome outcome = simulate(scene, EventDriven{});
+    CHECK(outcome.status == Status::reached_end);
+    CHECK(outcome.final[1].mode == Mode::resting);
+    CHECK((outcome.final[1].position - Vec3(-std::sqrt(1 - 0.16), 0, 0.5)).norm() < 1e-13);
+    CHECK(outcome.counts.numeric_steps == 0);
+}
+
+TEST_CASE("a sphere at rest that is pushed by less than a millionth of v_c is pushed once")
+{
+    // What it gains is as good as 0 and goes; the other then still closes, without end if each time counted.
+    Scene scene = empty_scene(0.1, earth, 0.5);
+    scene.rest.closing_speed = 1;
+    add_floor(scene);
+    add_sphere(scene, 0.5, {std::sqrt(0.49 - 0.04), 0, 0.5});
+    add_sphere(scene, 0.2, {0, 0, 0.3}, {1.9e-6, 0, 0});
+    const Outcome outcome = simulate(scene, EventDriven{});
+    CHECK(outcome.status == Status::reached_end);
+    CHECK(outcome.counts.impacts == 1);
+    CHECK(outcome.final[0].mode == Mode::resting);
+    CHECK(outcome.final[1].position.z() == Approx(0.3 - 9.81 * 0.1 * 0.1 / 2).epsilon(1e-6));
+}
+
 TEST_CASE("inelastic collapse of three leaves them touching, at rest where their momenta say")
 {
     // e = 0.05 < 7 - 4 sqrt(3): infinitely many impacts in finite time (McNamara and Young 1994).
