@@ -202,6 +202,46 @@ TEST_CASE("two contacts at exactly one time are one instant, two that differ by 
     CHECK(record(scene, false).outcome.counts.clusters == 1);  // within its tie tolerance
 }
 
+TEST_CASE("a wall that comes just before a grazing sphere is first, however rough a first look at the times is",
+          "[certified]")
+{
+    // Half a chord of 1e-k: the time at which the moving sphere meets the fixed one is known at first to some 1e-15 *
+    // 10^k.
+    int wall_first = 0, sphere_first = 0;
+    for (int k = 2; k <= 7; ++k)
+        for (int step = -40; step <= 40; ++step) {
+            const double half_chord = std::pow(10, -k), x = 2.3, y = std::sqrt(1 - half_chord * half_chord);
+            const double ahead = step * 0.1 * 1e-15 / half_chord;  // of the wall
+            Scene scene;
+            scene.end_time = 4;
+            scene.spheres.resize(2);
+            scene.spheres[0].radius = scene.spheres[1].radius = 0.5;
+            scene.spheres[0].velocity = {1, 0, 0};
+            scene.spheres[1].position = {x, y, 0};
+            scene.spheres[1].fixed = true;
+            scene.planes.resize(1);
+            scene.planes[0].normal = {-1, 0, 0};
+            scene.planes[0].offset = -(x - half_chord + 0.5 - ahead);
+            const Real of_sphere = Real(x) - sqrt(1 - Real(y) * Real(y)),
+                       of_wall = -Real(scene.planes[0].offset) - Real(0.5);
+            if (abs(of_sphere - of_wall) < 1e-15) continue;
+            std::vector<Event> events;
+            Observer observer;
+            observer.on_event = [&](const Event& e) { events.push_back(e); };
+            EventDriven method;
+            method.certified = true;
+            const Outcome outcome = simulate(scene, method, {}, observer);
+            CAPTURE(k, step);
+            CHECK(outcome.max_penetration == 0);
+            REQUIRE(!events.empty());
+            const bool wall = of_wall < of_sphere;
+            CHECK((events[0].b == 2) == wall);
+            ++(wall ? wall_first : sphere_first);
+        }
+    CHECK(wall_first > 100);
+    CHECK(sphere_first > 100);
+}
+
 TEST_CASE("certified runs of inelastic spheres come to rest as plain ones do", "[certified]")
 {
     Scene scene;
