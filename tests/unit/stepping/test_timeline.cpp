@@ -9,7 +9,8 @@ TEST_CASE("The number of steps is until / dt rounded up, rounding errors aside",
 {
     CHECK(Timeline(1, 0.1, 1).steps() == 10);
     CHECK(Timeline(1, 0.3, 1).steps() == 4);
-    CHECK(Timeline(1.1, 0.1, 1).steps() == 11);  // 1.1 / 0.1 = 11.000000000000002 in doubles
+    CHECK(Timeline(2.1, 0.3, 1).steps() == 7);  // 2.1 / 0.3 = 7.000000000000001 in doubles
+    CHECK(Timeline(0.01666666667, 1.0 / 240, 1).steps() == 4);
     CHECK(Timeline(1, 1.0 / 60, 1).steps() == 60);
     CHECK(Timeline(2, 1.0 / 3000, 1).steps() == 6000);
     CHECK(Timeline(1, 5, 1).steps() == 1);
