@@ -154,11 +154,10 @@ Root solve(const AcceleratedMotion& m)
         const double h_high = gap.h(high);
         if (h_low < 0 && h_high >= 0) {
             const double lowest = refine(h, h_rate, low, high, false);
-            if (gap.f(lowest) < 0)
+            if (gap.f(lowest) < 0)  // it may turn round while still inside
                 return {RootKind::impact, gap.f(left) <= 0 ? left : refine(f, f_rate, left, lowest, true), 0};
         } else if (h_low >= 0 && h_high < 0) {
             left = refine(h, h_rate, low, high, true);
-            if (gap.f(left) <= 0) return {RootKind::impact, left, 0};  // turns round while still inside
         }
         low = high;
         h_low = h_high;
