@@ -62,6 +62,7 @@ struct Observer {
 struct Counts {
     std::int64_t impacts = 0;   ///< contacts that got an impulse, once per pair and instant
     std::int64_t clusters = 0;  ///< instants at which several contacts were resolved together
+    std::int64_t capped = 0;    ///< of them, those whose operator met its bound: they were inelastic instead
     std::int64_t rests = 0, releases = 0, guarded = 0, settles = 0;
     std::int64_t cell_crossings = 0, list_rebuilds = 0;
     std::int64_t stale = 0;          ///< scheduled events that were out of date when their turn came
@@ -71,12 +72,14 @@ struct Counts {
     std::int64_t numeric_steps = 0;  ///< of clusters whose normals turn
 };
 
-/// Kinetic energy that thresholds took, each >= 0 up to rounding [energy]. What impacts take by e < 1 is not in it.
+/// Kinetic energy that thresholds and bounds took, each >= 0 up to rounding [energy]. What impacts take by e < 1 is not
+/// in it.
 struct EnergyTaken {
     double closing = 0;      ///< impacts made inelastic: every closing slower than v_c, or closed less than tau_p ago
     double settling = 0;     ///< contacts declared persistent: their rest of normal speed
     double stabilising = 0;  ///< numeric clusters: gaps and closings put back to 0, and the error of the steps
     double guard = 0;        ///< windows of the guard
+    double capped = 0;       ///< impacts whose operator met its bound, with what e < 1 takes
 };
 
 /// Time spent by all moving bodies together [time].

@@ -39,6 +39,9 @@ void add_thresholds(const Outcome& outcome, Lines& lines)
     if (outcome.counts.numeric_steps > 0)
         lines.push_back({"numeric", fmt::format("{} steps of clusters, {:.3g} % of all body-seconds",
                                                 outcome.counts.numeric_steps, 100 * times.numeric / all)});
+    if (outcome.counts.capped > 0)
+        lines.push_back({"capped", fmt::format("impact operator met its bound at {} instants: inelastic instead",
+                                               outcome.counts.capped)});
     if (outcome.counts.guarded > 0)
         lines.push_back({"guarded", fmt::format("{} windows, {:.3g} % of all body-seconds", outcome.counts.guarded,
                                                 100 * times.guarded / all)});
@@ -47,7 +50,8 @@ void add_thresholds(const Outcome& outcome, Lines& lines)
     for (const auto& [name, energy] : {std::pair{"slow closings", taken.closing},
                                        {"settling", taken.settling},
                                        {"numeric steps", taken.stabilising},
-                                       {"guard", taken.guard}})
+                                       {"guard", taken.guard},
+                                       {"capped impacts", taken.capped}})
         if (energy != 0) text += fmt::format("{}{} {:.3g}", text.empty() ? "" : ", ", name, energy);
     if (!text.empty()) lines.push_back({"energy taken", text});
 }

@@ -111,7 +111,8 @@ private:
             const Touch t = closed(a, b);
             if (t.gap <= persistence_gap(state_, body, c.partner)) {
                 take(body, c.partner);
-            } else if (opened_.try_emplace({a, b}, t).second && !state_.is_plane(c.partner)) {
+            } else if (!found_.contains({a, b}) && opened_.try_emplace({a, b}, t).second &&
+                       !state_.is_plane(c.partner)) {
                 enter(c.partner);
             }
         }
@@ -129,7 +130,9 @@ private:
     {
         const auto [a, b] = pair(body, other);
         if (found_.contains({a, b})) return;
-        if (state_.ties(a, b, closed(a, b).gap, key_.time) && instant_.is_that_of(a, b)) take(body, other);
+        if (!state_.ties(a, b, closed(a, b).gap, key_.time) || !instant_.is_that_of(a, b)) return;
+        opened_.erase({a, b});  // open, but not so far
+        take(body, other);
     }
 
     struct PairHash {
@@ -157,7 +160,6 @@ private:
 std::vector<Touch> declared_contacts(const State& state)
 {
     std::vector<Touch> found;
-    const auto spheres = static_cast<std::size_t>(state.count());
     for (BodyId a = 0; a < state.count(); ++a) {
         if (state.is_fixed(a)) continue;
         for (std::size_t p = 0; p < state.scene.planes.size(); ++p) {
@@ -176,7 +178,7 @@ std::vector<Touch> declared_contacts(const State& state)
             if (std::abs(t.gap) <= declared * smaller_radius(state, a, b)) found.push_back(t);
             return true;
         });
-        if (i < spheres) grid.insert(i, state.scene.spheres[i].position, state.radii[i]);
+        grid.insert(i, state.scene.spheres[i].position, state.radii[i]);
     }
     for (Touch& t : found) t.persistent = true;
     std::sort(found.begin(), found.end(), comes_first);

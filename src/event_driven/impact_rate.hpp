@@ -41,16 +41,17 @@ public:
     bool accumulates(const State& state, const EpochTime& now, std::span<const BodyId> component)
     {
         const double window = number(state, now);
-        double sum = 0;
+        std::int64_t sum = 0;
         for (const BodyId body : component) {
             const Recent& recent = recent_[static_cast<std::size_t>(body)];
             if (recent.window == window) sum += recent.count;
         }
-        const double left = bound_ - sum / static_cast<double>(component.size());  // for each of them
+        const double left = static_cast<double>(bound_) -
+                            static_cast<double>(sum) / static_cast<double>(component.size());  // for each of them
         for (const BodyId body : component) {
             Recent& recent = recent_[static_cast<std::size_t>(body)];
             if (recent.window != window) recent = {window, 0, 0};
-            recent.next = recent.count + 1 + std::max(0, static_cast<int>(left));
+            recent.next = recent.count + 1 + std::max<std::int64_t>(0, static_cast<std::int64_t>(left));
         }
         return left < 0;
     }
@@ -58,7 +59,7 @@ public:
 private:
     struct Recent {
         double window = -1;
-        int count = 0, next = 0;
+        std::int64_t count = 0, next = 0;
     };
 
     /// Of the window: they follow one another from the start.
@@ -69,7 +70,7 @@ private:
 
     std::vector<Recent> recent_;  ///< by body: events in the current window
     Recent all_;                  ///< of all bodies
-    int bound_;                   ///< B
+    std::int64_t bound_;          ///< B
     double length_;               ///< of a window [time]
 };
 

@@ -95,6 +95,18 @@ void Ledger::take(const EnergyTaken& taken)
     out.energy_taken.settling += taken.settling;
     out.energy_taken.stabilising += taken.stabilising;
     out.energy_taken.guard += taken.guard;
+    out.energy_taken.capped += taken.capped;
+}
+
+void Ledger::account_for_forces(const State& state, BodyId body, const EpochTime& now)
+{
+    const EpochTime& start = state.flight(body).start;
+    EpochTime& since = accounted_[body];
+    for (const PersistentContact& c : state.contacts.of(body))
+        if (state.is_plane(c.partner))
+            out.plane_impulses[static_cast<std::size_t>(state.plane_index(c.partner))] +=
+                c.force * state.frame.between(std::max(start, since), now);
+    since = now;
 }
 
 void Ledger::account_for_support(const State& state, BodyId body, const EpochTime& now)
@@ -103,11 +115,7 @@ void Ledger::account_for_support(const State& state, BodyId body, const EpochTim
     if (f.mode == Mode::numeric)
         (state.pieces.at(body).cluster ? out.body_seconds.numeric : out.body_seconds.guarded) +=
             state.frame.between(f.start, now);
-    if (f.support == several_supports)
-        for (const PersistentContact& c : state.contacts.of(body))
-            if (state.is_plane(c.partner))
-                out.plane_impulses[static_cast<std::size_t>(state.plane_index(c.partner))] +=
-                    c.force * state.frame.between(f.start, now);
+    if (f.support == several_supports) account_for_forces(state, body, now);
     if (f.support < 0) return;
     const Vec3 normal = facing_normal(state, f.support, f.place);
     const Flight after = advanced(state, body, now);

@@ -8,6 +8,7 @@
 #include <carom/features.hpp>
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace carom {
 
@@ -37,6 +38,9 @@ public:
     /// flight changes.
     void account_for_support(const State& state, BodyId body, const EpochTime& now);
 
+    /// The same for the planes among the several contacts of a body, which may go on resting under other forces.
+    void account_for_forces(const State& state, BodyId body, const EpochTime& now);
+
     /// A body's mode becomes another one at `now`.
     void note_mode(const State& state, BodyId body, Mode next, const EpochTime& now);
     /// What thresholds took.
@@ -57,6 +61,7 @@ private:
 
     const Observer& observer_;
     EventHash hash_;
+    std::unordered_map<BodyId, EpochTime> accounted_;  ///< until when the forces on a body in several contacts are
 };
 
 }  // namespace carom

@@ -18,6 +18,10 @@ public:
     struct Next {
         Key key;
     };
+    struct Bounces {
+        int count = 0;
+        bool lose_energy = false;  ///< the last of them; the others never do
+    };
 
     LoneSchedule(const State& state, BroadPhase, Counts& counts)
     {
@@ -45,13 +49,12 @@ public:
 
     /// Bounce after bounce that leaves the sphere flying, the commonest events of all, are no more than this loop. The
     /// same bits as `resolve`, which is to be asked where more is going on: another contact, a support, a plate, rest,
-    /// a low bounce. \param last carry out nothing after it \param most how many \returns how many were carried out;
-    /// it stops after one that loses energy
-    int bounces(State& state, const EpochTime& last, int most, Ledger& ledger)
+    /// a low bounce. \param last carry out nothing after it \param most how many; it stops after one that loses energy
+    Bounces bounces(State& state, const EpochTime& last, int most, Ledger& ledger)
     {
         if (plates_ || state.scene.rest.policy == RestPolicy::micro || next_.key.kind != Scheduled::plane_impact ||
             state.flights[0].support != -1)
-            return 0;
+            return {};
         return walls_.size() == 1 ? bounces_among<true>(state, last, most, ledger)
                                   : bounces_among<false>(state, last, most, ledger);
     }
@@ -101,7 +104,7 @@ private:
     }
 
     template <bool alone>
-    [[gnu::flatten]] int bounces_among(State& state, const EpochTime& last, int most, Ledger& ledger)
+    [[gnu::flatten]] Bounces bounces_among(State& state, const EpochTime& last, int most, Ledger& ledger)
     {
         const Frame frame = state.frame;
         const Vec3 acceleration = state.accelerations[state.accelerations.free()];
@@ -113,6 +116,7 @@ private:
         bool began_at_impact = state.stamps[0] > 0;
         const Wall& only = walls_.front();
         int done = 0;
+        bool loses_energy = false;
         while (done < most && next.wall && next.time <= last) {
             const Wall& wall = alone ? only : *next.wall;
             const Vec3 normal = wall.normal;
@@ -150,15 +154,16 @@ private:
             next = first_contact<alone>(frame, f, radius, again, ledger.out.counts);
             if (inelastic) {
                 state.recent.add(0, wall.body, f.start);
+                loses_energy = true;
                 break;
             }
         }
-        if (done == 0) return 0;
+        if (done == 0) return {};
         state.flights[0] = f;
         state.stamps[0] += static_cast<std::uint32_t>(done);
         next_.key = next.wall ? Key{next.time, Scheduled::plane_impact, 0, next.wall->body} : Key{};
         ledger.out.counts.pair_tests += done * static_cast<std::int64_t>(walls_.size());
-        return done;
+        return {done, loses_energy};
     }
 
     /// As first_of_planes. \param known the contact with one wall, but for its time

@@ -107,8 +107,10 @@ private:
 
         const bool inelastic = apply_policy(state_, component_, now_, cluster);
         ClusterImpact impact = resolve_cluster(cluster, state_.scene.impact);
-        if (inelastic)
-            out_.taken.closing = kinetic_energy(cluster, before) - kinetic_energy(cluster, impact.velocities);
+        out_.capped = impact.capped;
+        if (inelastic || impact.capped)
+            (impact.capped ? out_.taken.capped : out_.taken.closing) =
+                kinetic_energy(cluster, before) - kinetic_energy(cluster, impact.velocities);
         for (std::size_t k = 0; k < component_.flights.size(); ++k)
             component_.flights[k].velocity = impact.velocities[k];
         impulses_ = std::move(impact.impulses);

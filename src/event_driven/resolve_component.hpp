@@ -13,6 +13,7 @@ struct ComponentResolution {
     EnergyTaken taken;
     std::int64_t numeric_steps = 0;
     bool clustered = false;  ///< impacts of several contacts were resolved together
+    bool capped = false;     ///< see ClusterImpact
     double penetration = 0;  ///< of contacts at this instant, and of the parabolas of numeric pieces, >= 0 [length]
 };
 

@@ -15,11 +15,14 @@ namespace carom {
 
 namespace {
 
-/// Closed, at relative speed 0, and pressed together by different accelerations: contact that persists.
-bool is_pressed(const State& state, BodyId a, BodyId b)
+/// Not approaching, and accelerated towards each other: contact that persists, or is closed again at once.
+bool is_pressed(const State& state, const Flight& a, const Flight& b, const Vec3& normal, double distance)
 {
-    return state.flight(a).acceleration != state.flight(b).acceleration &&
-           pair_root(state, pair_motion(state, moving(state, a), moving(state, b))).kind == RootKind::pressed;
+    if (a.acceleration == b.acceleration) return false;
+    const Vec3 w = a.velocity - b.velocity, across = w - w.dot(normal) * normal;
+    return normal.dot(state.accelerations[a.acceleration] - state.accelerations[b.acceleration]) +
+               across.squaredNorm() / distance <
+           0;
 }
 
 /// No rebound: the contact may persist.
@@ -70,7 +73,7 @@ Resolution resolve_sphere_impact(const State& state, const Key& key, const Neigh
         a.velocity = after.velocity_a;
         b.velocity = after.velocity_b;
         impact.impulse = after.impulse;
-    } else if (is_pressed(state, key.a, key.b)) {
+    } else if (is_pressed(state, a, b, normal, distance)) {
         return coupled();
     }
     out.events.push_back(impact);

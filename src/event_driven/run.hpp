@@ -89,10 +89,11 @@ private:
         now_ = key.time;
         show_samples_before(now_);
         if constexpr (requires { &Schedule::bounces; })
-            if (schedule_.bounces(state_, horizon(), bounces_at_once(), ledger_) > 0) {
+            if (const auto bounces = schedule_.bounces(state_, horizon(), bounces_at_once(), ledger_);
+                bounces.count > 0) {
                 now_ = state_.flights[0].start;
                 hit_.clear();
-                if (state_.law(key.a, key.b).restitution < 1) hit_.push_back(key.a);
+                if (bounces.lose_energy) hit_.push_back(key.a);
                 return watch(key, hit_);
             }
         hit_.clear();
@@ -207,6 +208,7 @@ private:
         }
         for (const MemberChange& change : resolution.changes) {
             if (change.rests_on) {
+                ledger_.account_for_forces(state_, change.body, now_);
                 state_.contacts.set_forces(change.body, change.contacts);
                 continue;
             }
@@ -223,6 +225,7 @@ private:
         Outcome& out = ledger_.out;
         out.max_penetration = std::max(out.max_penetration, resolution.penetration);
         out.counts.clusters += resolution.clustered ? 1 : 0;
+        out.counts.capped += resolution.capped ? 1 : 0;
         out.counts.numeric_steps += resolution.numeric_steps;
         ledger_.take(resolution.taken);
         for (const Event& event : resolution.events) report(event);

@@ -18,10 +18,12 @@ constexpr int rounds_before_jam_test = 24;
 constexpr int recent_rounds = 8;
 constexpr std::size_t asked_as_a_whole = 100;
 
-/// Clusters of more than 100 contacts are no harder, but their rounds cost more.
-int most_rounds(std::size_t contacts)
+/// Clusters of more than 100 contacts are no harder, but their rounds cost more. Elastic ones have nothing to fall back
+/// on that keeps their energy: a light body between two of M times its mass alone needs some 3 M^(1/2) rounds.
+int most_rounds(std::size_t contacts, bool elastic)
 {
-    return 100 + 10 * static_cast<int>(std::min<std::size_t>(contacts, 100));
+    const int usual = 100 + 10 * static_cast<int>(std::min<std::size_t>(contacts, 100));
+    return elastic ? std::max(usual, static_cast<int>(1'000'000 / contacts)) : usual;
 }
 
 struct Rounds {
@@ -40,7 +42,7 @@ public:
     {
     }
 
-    NormalImpact solve(bool jam_test)
+    NormalImpact solve(bool jam_test, bool elastic)
     {
         NormalImpact out;
         Rounds rounds;
@@ -52,7 +54,7 @@ public:
                 rounds = run(rounds_before_jam_test);
             }
         }
-        if (!rounds.ended) rounds = run(most_rounds(jammed_.size()));
+        if (!rounds.ended) rounds = run(most_rounds(jammed_.size(), elastic));
         out.impulses = std::move(rounds.impulses);
         out.rounds = rounds.rounds;
         out.capped = !rounds.ended;
@@ -157,7 +159,7 @@ NormalImpact reflections(const Cluster& cluster, const ReflectionsOptions& optio
                                                    : blended_restitution(cluster, problem, without->point);
     NormalImpact out;
     out.rounds = 1;
-    if (e > 0) out = Reflections(problem).solve(options.jam_test);
+    if (e > 0) out = Reflections(problem).solve(options.jam_test, e == 1);
     if (e == 1 && !out.capped) return out;
     if (!without) without = project(problem);
     if (e == 0 || out.capped) {

@@ -11,8 +11,9 @@
 /// Guarantee: nothing closes faster than 1e-9 of the largest speed before; impulses push; momentum is kept; energy is
 /// never gained. It ends: where unit normals a_i allow w, |w| = 1, with a_i.w >= delta > 0, each round raises w.u by
 /// 2 delta eps at least while it is bounded by |u|; where they do not, that set is jammed: its bodies cannot move
-/// apart, nor rebound from each other, and it stays closed. Rounds are bounded by 100 + 10 min(m, 100) all the
-/// same; beyond, the response is the inelastic one.
+/// apart, nor rebound from each other, and it stays closed. Rounds are bounded all the same, by 100 + 10 min(m, 100),
+/// where all e = 1 by a million / m (a light body between two of M times its mass takes some 3 M^(1/2)); beyond, the
+/// response is the inelastic one.
 #pragma once
 
 #include "impact/operators.hpp"

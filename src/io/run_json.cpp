@@ -24,6 +24,7 @@ Json counts_json(const Counts& c)
 {
     return {{"impacts", c.impacts},
             {"clusters", c.clusters},
+            {"capped", c.capped},
             {"rests", c.rests},
             {"releases", c.releases},
             {"guarded", c.guarded},
@@ -42,7 +43,8 @@ Json energy_taken_json(const EnergyTaken& taken)
     return {{"closing", taken.closing},
             {"settling", taken.settling},
             {"stabilising", taken.stabilising},
-            {"guard", taken.guard}};
+            {"guard", taken.guard},
+            {"capped", taken.capped}};
 }
 
 Json body_seconds_json(const BodyTimes& times)

@@ -19,6 +19,12 @@ std::uint64_t pair_key(BodyId a, BodyId b)
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
 }
 
+/// Or never moves.
+bool flies(const Path& path)
+{
+    return path.mode == Mode::flying || path.mode == Mode::fixed;
+}
+
 }  // namespace
 
 std::string pair_text(const RunData& data, BodyId a, BodyId b)
@@ -111,7 +117,10 @@ void Gaps::pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to, 
     const double allowed =
         promised * std::max({ball_a.radius + ball_b.radius, flown(a, ball_a, to), flown(b, ball_b, to)});
     const bool is_swept = ball_a.is_swept || ball_b.is_swept;
-    GapFound found = examine(segment, data_.run.certified && !is_swept ? 0 : allowed);
+    // Double-double is for free flight, and for what it has in common with a partner.
+    const bool exact =
+        data_.run.certified && flies(ball_a.path) && flies(ball_b.path) && ball_a.acceleration == ball_b.acceleration;
+    GapFound found = examine(segment, exact ? 0 : allowed);
     if (is_swept) {
         // The ball that a series stays in is larger than the sphere: that it touches shows nothing.
         found.measured = false;
@@ -141,7 +150,7 @@ void Gaps::plane(BodyId body, int p, const EpochTime& to)
             segment.initial = &found->second.first;
     if (is_clear(segment, smallest_)) return;
     const double allowed = promised * std::max(ball.radius, flown(body, ball, to));
-    GapFound found = examine(segment, data_.run.certified && !ball.is_swept ? 0 : allowed);
+    GapFound found = examine(segment, data_.run.certified && flies(ball.path) ? 0 : allowed);
     if (ball.is_swept) {
         found.measured = false;
         if (found.grade == Grade::violated) found.grade = Grade::not_certified;

@@ -181,6 +181,32 @@ TEST_CASE("contact k from the top of a tower carries k m g")
     CHECK(force(stands_still(scene), 0) == Approx(111 * g).epsilon(1e-9));
 }
 
+TEST_CASE("a sphere that comes to rest on others changes what their floor carries from then on")
+{
+    Scene scene = empty_scene(10, {0, 0, -10}, 0);
+    add_floor(scene);
+    for (const double z : {0.5, 1.5}) add_sphere(scene, 0.5, {0, 0, z});
+    add_sphere(scene, 0.5, {0, 0, 127.5}, Vec3::Zero(), 10);  // lands after 5 s
+    const Outcome outcome = simulate(scene, EventDriven{});
+    CHECK(outcome.final[2].mode == Mode::resting);
+    CHECK(outcome.plane_impulses[0] == Approx(12 * 10 * 10).epsilon(1e-12));
+}
+
+TEST_CASE("elastic balls that stand on one another and slide do not meet without end at one instant")
+{
+    // Found by a review: the lowest two closed again and again, by rounding, with impulses of 0.
+    Scene scene = empty_scene(0.3, {0, 0, -10});
+    add_floor(scene);
+    const Vec3 speeds[] = {{-0.12044842301622793, 0.40630921440908108, 0},
+                           {-0.10552307060330612, -0.13661619767819833, 0},
+                           {-0.32237363388037804, -0.47169925356940967, 0},
+                           {0.091883767317886722, 0.32400748432064674, 0}};
+    for (int i = 0; i < 4; ++i) add_sphere(scene, 0.5, {0, 0, 0.5 + i}, speeds[i], i == 3 ? 1e4 : 1);
+    RunOptions options;
+    options.max_events = 1'000'000;
+    CHECK(simulate(scene, EventDriven{}, options).status == Status::reached_end);
+}
+
 TEST_CASE("a tower of 100 stands for a million seconds, without events, in no time")
 {
     const Scene scene = tower(100, 0.125, 1e6);

@@ -85,7 +85,7 @@ private:
     std::size_t event_ = 0, flight_ = 0;
 };
 
-inline MemorySource recorded(const Scene& scene, RunOptions options = {})
+inline MemorySource recorded(const Scene& scene, RunOptions options = {}, bool certified = false)
 {
     if (!(options.max_seconds < 20)) options.max_seconds = 20;
     MemorySource source;
@@ -97,7 +97,9 @@ inline MemorySource recorded(const Scene& scene, RunOptions options = {})
         source.flights.push_back(f);
         source.after.push_back(source.events.size());
     };
-    const Outcome outcome = simulate(scene, EventDriven{}, options, observer);
+    EventDriven method;
+    method.certified = source.description.certified = certified;
+    const Outcome outcome = simulate(scene, method, options, observer);
     source.description.end = RecordedEnd{outcome.time, outcome.event_hash, 0, 0};
     source.description.end->events = static_cast<std::int64_t>(source.events.size());
     source.description.end->flights = static_cast<std::int64_t>(source.flights.size());

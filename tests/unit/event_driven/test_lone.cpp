@@ -93,3 +93,22 @@ TEST_CASE("a sphere that leaves a plane with the rounding of its speed slides al
     CHECK(outcome.final[0].mode == Mode::sliding);
     CHECK(outcome.final[0].velocity.z() == 0);
 }
+
+TEST_CASE("how often a lone sphere is looked at does not decide whether the guard takes it over", "[lone]")
+{
+    // Between an elastic floor and a ceiling that is nearly so.
+    Scene scene = empty_scene(1, Vec3::Zero(), 1);
+    scene.materials.push_back({});
+    scene.materials[1].restitution = 0.999;
+    add_sphere(scene, 0.5, {0, 0, 0.500004}, {1, 0, 1});
+    add_floor(scene);
+    add_plane(scene, "ceiling", {0, 0, -1}, -1.00001);
+    scene.planes[1].material = 1;
+    const Outcome alone = simulate(scene, EventDriven{});
+    CHECK(alone.counts.guarded > 0);
+    for (const int samples : {200, 100'000}) {
+        Observer observer;
+        for (int i = 0; i <= samples; ++i) observer.sample_times.push_back(1.0 * i / samples);
+        CHECK(simulate(scene, EventDriven{}, {}, observer).event_hash == alone.event_hash);
+    }
+}

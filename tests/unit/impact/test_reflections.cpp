@@ -45,6 +45,20 @@ TEST_CASE("Rows of the literature")
     check_row(row({3, 1}, {1, -1}), {0, 2});  // two-ball drop, just after the lower one has turned
 }
 
+TEST_CASE("A light ball between two heavy ones hands on what one brings, however heavy they are")
+{
+    for (const double mass : {1e3, 1e4, 1e6, 1e9}) {
+        const Cluster cluster = row({mass, 1, mass}, {1, 0, 0});
+        const ClusterImpact impact = resolve(cluster);
+        CAPTURE(mass, impact.rounds);
+        CHECK_FALSE(impact.capped);
+        const Debts owed = debts(cluster, impact);
+        CHECK(owed.momentum < rounding);
+        CHECK(std::abs(owed.energy) < 1e-9);
+        CHECK(impact.velocities[2].x() > 0.9);
+    }
+}
+
 TEST_CASE("Bernoulli's problem")
 {
     ClusterImpact impact = resolve(bernoulli(1));

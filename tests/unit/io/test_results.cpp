@@ -65,8 +65,8 @@ TEST_CASE("a run's JSON has every key of the contract", "[results]")
         run, {"format",      "scene",        "method",     "kernel",   "number",          "status",         "time",
               "spheres",     "counts",       "energy",     "momentum", "max_penetration", "missed_impacts", "escaped",
               "cpu_seconds", "wall_seconds", "event_hash", "pressure", "rest_times",      "final"}));
-    CHECK(has_all(run["counts"], {"impacts", "clusters", "rests", "releases", "guarded", "settles", "cell_crossings",
-                                  "list_rebuilds", "stale", "pair_tests", "root_solves"}));
+    CHECK(has_all(run["counts"], {"impacts", "clusters", "capped", "rests", "releases", "guarded", "settles",
+                                  "cell_crossings", "list_rebuilds", "stale", "pair_tests", "root_solves"}));
     CHECK(has_all(run["energy"], {"initial", "final", "max_relative_drift"}));
     CHECK(has_all(run["final"][0], {"id", "position", "velocity", "mode"}));
     CHECK(run["format"] == "carom-run/1");

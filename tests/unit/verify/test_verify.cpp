@@ -274,6 +274,33 @@ TEST_CASE("a run that claims certified flights is held to gaps of 0", "[verify]"
     CHECK_FALSE(examined(source).holds());
 }
 
+TEST_CASE("certified runs hold where bodies leave free flight, too, and where what falls meets what does not",
+          "[verify]")
+{
+    Scene series = empty_scene(3, {0, 0, -9.81}, 0.5);
+    add_floor(series);
+    add_sphere(series, 0.3, {0.1, 0, 0.77}, {0.1, 0.2, 0});
+    Scene onto_fixed = empty_scene(2, {0, 0, -9.81});
+    add_sphere(onto_fixed, 0.3, {0.1, 0, 0.77});
+    add_sphere(onto_fixed, 0.3, {0, 0, 0});
+    onto_fixed.spheres[1].fixed = true;
+    for (const Scene& scene : {series, onto_fixed}) {
+        const Certificate c = examined(recorded(scene, {}, true));
+        INFO(first_violation(c));
+        CHECK(c.certified);
+        CHECK(c.holds());
+        CHECK(c.impulses > 0);
+    }
+    // What both do in free flight is still held to gaps of 0, and to double-double.
+    MemorySource moved = recorded(gas(9, 60, 2, {0, 0, -1}), {}, true);
+    CHECK(examined(moved).holds());
+    const auto low = std::find_if(moved.flights.begin() + 60, moved.flights.end(),
+                                  [](const FlightRecord& f) { return f.local_low[0] != 0; });
+    REQUIRE(low != moved.flights.end());
+    low->local_low[0] += 1e-25;
+    CHECK_FALSE(examined(moved).holds());
+}
+
 TEST_CASE("double-double flights made by hand hold as certified", "[verify]")
 {
     // Two spheres meet at a time that is no double of the contact: a's impact is put a little early, at a gap > 0.
