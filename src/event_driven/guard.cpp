@@ -3,6 +3,7 @@
 #include "event_driven/may_touch.hpp"
 #include "event_driven/motion.hpp"
 #include "event_driven/piece.hpp"
+#include "impact/cluster_problem.hpp"
 #include "impact/contact_forces.hpp"
 #include "stepping/stepping.hpp"
 
@@ -98,17 +99,11 @@ private:
         std::vector<double> allowed;
         for (const Touch& t : component_.contacts) allowed.push_back(std::max(t.gap, 0.0) / length_);
         // The same problem as that of forces, with velocities: 0 <= lambda _|_ c+ + gap/h >= 0.
-        const std::vector<Vec3> after =
-            component_.contacts.empty() ? velocities(cluster) : solve_contact_forces(cluster, allowed).accelerations;
+        const std::vector<Vec3> after = component_.contacts.empty()
+                                            ? velocities_before(cluster)
+                                            : solve_contact_forces(cluster, allowed).accelerations;
         std::vector<BodyState> out;
         for (std::size_t k = 0; k < after.size(); ++k) out.push_back({length_ * after[k], after[k], Mode::numeric});
-        return out;
-    }
-
-    static std::vector<Vec3> velocities(const Cluster& cluster)
-    {
-        std::vector<Vec3> out;
-        for (const ClusterBody& body : cluster.bodies) out.push_back(body.velocity);
         return out;
     }
 
@@ -118,8 +113,11 @@ private:
     {
         const Place& centre = component_.flights.front().place;
         const auto at = [&](const Place& place) { return separation(state_.frame, place, centre); };
-        Scene scene = state_.scene;
-        scene.spheres.clear();
+        Scene scene;  // of what matters here: a copy would bring all spheres
+        scene.gravity = state_.scene.gravity;
+        scene.materials = state_.scene.materials;
+        scene.contacts = state_.scene.contacts;
+        scene.planes = state_.scene.planes;
         for (std::size_t k = 0; k < component_.bodies.size(); ++k) {
             scene.spheres.push_back(state_.sphere(component_.bodies[k]));
             scene.spheres.back().position = at(component_.flights[k].place);

@@ -69,10 +69,10 @@ Json pressure_json(const Scene& scene, const RunStudy& run)
 
 Json rest_times_json(const Scene& scene, const Outcome& outcome)
 {
-    Json times = Json::object();
+    Json::object_t times;  // ids are unique: nothing is looked up, which would take the square of their number
     for (std::size_t i = 0; i < outcome.rest_times.size(); ++i)
-        if (outcome.rest_times[i]) times[scene.spheres[i].id] = *outcome.rest_times[i];
-    return times;
+        if (outcome.rest_times[i]) times.emplace_back(scene.spheres[i].id, *outcome.rest_times[i]);
+    return Json(std::move(times));
 }
 
 Json final_json(const Scene& scene, const Outcome& outcome)
