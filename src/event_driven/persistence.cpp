@@ -236,6 +236,24 @@ void Persistence::push_apart(std::vector<char> opens)
         if (all_open) return;
         equalise(moved, wanted);
     }
+    hold_jammed(opens, enough);
+}
+
+/// What cannot open, because jammed bodies are in its way, goes on without speed: it opens once their motion has made
+/// room. \param opens by contact: it should have opened \param enough what counts as open [length/time]
+void Persistence::hold_jammed(const std::vector<char>& opens, double enough)
+{
+    bool some = false;
+    std::vector<double> wanted(count(), 0);
+    for (std::size_t i = 0; i < count(); ++i) {
+        const Touch& t = component_.contacts[i];
+        if (!opens[i] || released_[i] || rate(i) > enough || t.gap > persistence_gap(state_, t.a, t.b)) continue;
+        persists_[i] = 1;
+        some = true;
+    }
+    for (std::size_t i = 0; i < count(); ++i)
+        if (persists_[i]) wanted[i] -= rate(i);
+    if (some) equalise(persists_, wanted);
 }
 
 /// Speeds and accelerations that are no more than what solving leaves of 0, where contacts hold a body.

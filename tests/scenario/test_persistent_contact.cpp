@@ -207,6 +207,22 @@ TEST_CASE("elastic balls that stand on one another and slide do not meet without
     CHECK(simulate(scene, EventDriven{}, options).status == Status::reached_end);
 }
 
+TEST_CASE("spheres that roll out from between a floor and a fixed one go, though no contact can open at first")
+{
+    Scene scene = empty_scene(0.3, Vec3::Zero(), 0.5);
+    scene.guard.on = false;
+    add_floor(scene);
+    add_sphere(scene, 0.5, {0, 0, 0.5}, {1, 0, 0});
+    add_sphere(scene, 0.5, {0, 0, 1.5}, {-1, 0, 0});
+    add_sphere(scene, 0.5, {0, 0, 2.5});
+    scene.spheres[2].fixed = true;
+    const Outcome outcome = simulate(scene, EventDriven{});
+    CHECK(outcome.status == Status::reached_end);
+    CHECK(outcome.counts.impacts == 0);
+    CHECK((outcome.final[0].position - Vec3(0.3, 0, 0.5)).norm() < 1e-9);
+    CHECK((outcome.final[1].position - Vec3(-0.3, 0, 1.5)).norm() < 1e-9);
+}
+
 TEST_CASE("a tower of 100 stands for a million seconds, without events, in no time")
 {
     const Scene scene = tower(100, 0.125, 1e6);
