@@ -90,10 +90,16 @@ private:
     Touch closed(BodyId a, BodyId b)
     {
         Touch out = touch(state_, a, flight(a), b, state_.is_plane(b) ? nullptr : &flight(b));
-        out.persistent =
-            state_.contacts.between(a, b) || (state_.is_plane(b) && state_.flight(a).mode != Mode::series &&
-                                              state_.flight(a).support == state_.plane_index(b));
+        out.persistent = (state_.contacts.between(a, b) && !is_guarded(a) && !is_guarded(b)) ||
+                         (state_.is_plane(b) && state_.flight(a).mode != Mode::series &&
+                          state_.flight(a).support == state_.plane_index(b));
         return out;
+    }
+
+    /// A window lists whom it may push, and none of that persists.
+    bool is_guarded(BodyId body) const
+    {
+        return !state_.is_plane(body) && state_.flight(body).mode == Mode::numeric && !state_.pieces.at(body).cluster;
     }
 
     void take(BodyId body, BodyId other)
