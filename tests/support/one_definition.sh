@@ -25,7 +25,8 @@ found=$(twice "${files[@]}")
 [ -z "$found" ] || { echo "$found"; exit 1; }
 
 # The control: a copy defines everything again.
-header=$(grep -lE '^(class|struct) [A-Z]' "${files[@]}" | grep '\.hpp$' | head -n 1)
+mapfile -t headers < <(grep -lE '^(class|struct) [A-Z]' "${files[@]}" | grep '\.hpp$')
+header=${headers[0]}
 copy=$(mktemp)
 trap 'rm -f "$copy"' EXIT
 cp "$header" "$copy"
