@@ -100,13 +100,18 @@ void Ledger::take(const EnergyTaken& taken)
 
 void Ledger::account_for_forces(const State& state, BodyId body, const EpochTime& now)
 {
-    const EpochTime& start = state.flight(body).start;
-    EpochTime& since = accounted_[body];
+    EpochTime since = state.flight(body).start;
+    if (const auto found = accounted_.find(body); found != accounted_.end()) since = std::max(since, found->second);
     for (const PersistentContact& c : state.contacts.of(body))
         if (state.is_plane(c.partner))
             out.plane_impulses[static_cast<std::size_t>(state.plane_index(c.partner))] +=
-                c.force * state.frame.between(std::max(start, since), now);
-    since = now;
+                c.force * state.frame.between(since, now);
+}
+
+void Ledger::forces_change(const State& state, BodyId body, const EpochTime& now)
+{
+    account_for_forces(state, body, now);
+    accounted_[body] = now;
 }
 
 void Ledger::account_for_support(const State& state, BodyId body, const EpochTime& now)

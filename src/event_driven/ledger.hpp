@@ -38,8 +38,8 @@ public:
     /// flight changes.
     void account_for_support(const State& state, BodyId body, const EpochTime& now);
 
-    /// The same for the planes among the several contacts of a body, which may go on resting under other forces.
-    void account_for_forces(const State& state, BodyId body, const EpochTime& now);
+    /// The same where a body in several contacts goes on resting under other forces. Call before they change.
+    void forces_change(const State& state, BodyId body, const EpochTime& now);
 
     /// A body's mode becomes another one at `now`.
     void note_mode(const State& state, BodyId body, Mode next, const EpochTime& now);
@@ -57,11 +57,12 @@ public:
 
 private:
     void show(Event event) const;
+    void account_for_forces(const State& state, BodyId body, const EpochTime& now);
     static FlightRecord record_of(const State& state, BodyId body);
 
     const Observer& observer_;
     EventHash hash_;
-    std::unordered_map<BodyId, EpochTime> accounted_;  ///< until when the forces on a body in several contacts are
+    std::unordered_map<BodyId, EpochTime> accounted_;  ///< of forces_change, by body: when
 };
 
 }  // namespace carom

@@ -208,7 +208,7 @@ private:
         }
         for (const MemberChange& change : resolution.changes) {
             if (change.rests_on) {
-                ledger_.account_for_forces(state_, change.body, now_);
+                ledger_.forces_change(state_, change.body, now_);
                 state_.contacts.set_forces(change.body, change.contacts);
                 continue;
             }
