@@ -9,10 +9,15 @@ namespace carom {
 
 namespace {
 
-/// A unit normal whose part off the active ones is shorter than this depends on them (rounding leaves 1e-16, a mass
-/// ratio of 1e9 some 3e-5).
-constexpr double dependent = 1e-10;
-/// In tolerances: what a normal that depends on active ones may miss without being in conflict with them.
+/// A unit normal whose part off the active ones is shorter than this depends on them. Directions that are nearly
+/// dependent are known to rounding / length only: where 1e-8 is let in, the next dependent one looks independent. (A
+/// mass ratio of 1e9 makes 3e-5. A wedge of two spheres that is so narrow would be passed with an overlap of 1e-14 of
+/// their radii.)
+constexpr double dependent = 1e-7;
+/// In tolerances, which are 1e-13 of the sizes that occur: what a normal that depends on active ones may miss without
+/// being in conflict with them.
+constexpr double missed_by_dependent = 2e6;
+/// The same, in tolerances of units.
 constexpr double rounding_of_dependent = 1e4;
 constexpr int refinements = 2;
 
@@ -86,7 +91,7 @@ private:
         for (std::size_t i = 0; i < count(); ++i) {
             if (skipped_[i]) continue;
             const double s = unit_slack(static_cast<int>(i));
-            if (s < lowest && !is_satisfied(s, i, 1)) {
+            if (s < lowest && !is_satisfied(s, i, 1, 1)) {
                 lowest = s;
                 worst = static_cast<int>(i);
             }
@@ -150,16 +155,18 @@ private:
     {
         // In a cone this is rounding: such a normal is minus a sum of active ones, its slack minus that of their zeros.
         skip(p);
-        if (is_satisfied(unit_slack(p), static_cast<std::size_t>(p), rounding_of_dependent)) return;
+        if (is_satisfied(unit_slack(p), static_cast<std::size_t>(p), missed_by_dependent, rounding_of_dependent))
+            return;
         for (std::size_t j = 0; j < active_.size(); ++j)
             if (coefficients[j] < -dependent) out_.conflict.push_back(active_[j]);
         out_.conflict.push_back(p);
         out_.projection.complete = false;
     }
 
-    bool is_satisfied(double unit_slack, std::size_t i, double tolerances) const
+    bool is_satisfied(double unit_slack, std::size_t i, double tolerances, double unit_tolerances) const
     {
-        return unit_slack >= -tolerances * std::max(problem_.tolerance / length_[i], options_.unit_tolerance);
+        return unit_slack >=
+               -std::max(tolerances * problem_.tolerance / length_[i], unit_tolerances * options_.unit_tolerance);
     }
 
     void too_far()

@@ -1,6 +1,7 @@
 #include "impact/contact_forces.hpp"
 
 #include "support/clusters.hpp"
+#include "support/random.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -97,4 +98,38 @@ TEST_CASE("Redundant contacts share in some way, accelerations and sums are what
         if (cluster.contacts[i].b == immovable) carried += forces.forces[i] * cluster.contacts[i].normal.y();
     CHECK(std::abs(carried - 9 * g) < 9 * g * rounding);
     for (const Vec3& acceleration : forces.accelerations) CHECK(acceleration.norm() < g * rounding);
+}
+
+TEST_CASE("Two balls side by side, jammed to within any angle, are never thrown")
+{
+    // In a groove between walls that leave both just room, one on the wedge that the other and its neighbours make, a
+    // third one's weight upon it. Exactly, no acceleration exceeds what gravity and curvature ask for.
+    carom::test::Random random(5);
+    for (int n = 0; n < 2000; ++n) {
+        const double angle = random.log_uniform(1e-13, 1e-3);
+        const Vec3 down(0, 0, -10), in = Vec3(-random.uniform(0, 1), -random.uniform(0, 1), -1).normalized() * 6;
+        const Vec3 left = Vec3(1, 0, 1).normalized(), right = Vec3(-1, 0, 1).normalized();
+        Cluster cluster;
+        cluster.bodies = {{down, 1}, {down, 1}, {down, 1}};
+        cluster.contacts = {{0, 1, Vec3(-angle, -1, -angle).normalized(), 1, 1},
+                            {0, 2, in.normalized(), 1, 1},
+                            {0, immovable, left, 1, 1},
+                            {0, immovable, right, 1, 1},
+                            {0, immovable, Vec3(0, 1, 0), 1, 1},
+                            {1, immovable, -left, 1, 1},
+                            {1, immovable, right, 1, 1},
+                            {1, immovable, Vec3(0, -1, 0), 1, 1}};
+        std::vector<double> curvature(8, 0.0);
+        curvature[1] = random.uniform(0, 8);
+        CAPTURE(angle);
+        const ContactForces forces = solve_contact_forces(cluster, curvature);
+        for (const Vec3& acceleration : forces.accelerations) CHECK(acceleration.norm() < 40);
+        for (std::size_t i = 0; i < 8; ++i) {
+            const ClusterContact& c = cluster.contacts[i];
+            const Vec3 relative =
+                forces.accelerations[static_cast<std::size_t>(c.a)] -
+                (c.b == immovable ? Vec3(0, 0, 0) : forces.accelerations[static_cast<std::size_t>(c.b)]);
+            CHECK(c.normal.dot(relative) + curvature[i] > -2e-7 * 10);
+        }
+    }
 }
