@@ -215,45 +215,69 @@ double Persistence::softest(std::size_t contact) const
     return std::max(soft_, 2 * persistence_gap(state_, t.a, t.b) / time / time);
 }
 
-/// Contacts open from speed 0; by rounding that must not look like closing to those who predict.
+/// Contacts open from speed 0; by rounding that must not look like closing to those who predict. What cannot open,
+/// because jammed bodies are in its way, persists: it opens once their motion has made room.
 void Persistence::push_apart(std::vector<char> opens)
 {
+    const double enough = 8 * unit_roundoff * std::max(largest_speed(component_), slow_);
+    for (bool some_held = true; some_held;) {
+        const std::vector<Flight> flights = component_.flights;
+        const std::vector<double> impulses = impulses_;
+        if (push(opens, enough)) return;
+        some_held = false;
+        for (std::size_t i = 0; i < count(); ++i) {
+            const Touch& t = component_.contacts[i];
+            if (!opens[i] || released_[i] || rate(i) > enough || t.gap > persistence_gap(state_, t.a, t.b)) continue;
+            persists_[i] = 1;
+            opens[i] = 0;
+            some_held = true;
+        }
+        if (!some_held) return;
+        component_.flights = flights;
+        impulses_ = impulses;
+    }
+}
+
+/// \param opens by contact; those that others make close again join \returns whether all open at `enough` or faster
+bool Persistence::push(std::vector<char>& opens, double enough)
+{
     constexpr int most_pushes = 40;
-    double margin = 16 * unit_roundoff * std::max(largest_speed(component_), slow_);
-    const double enough = margin / 2;
     std::vector<char> moved(count(), 0);
+    double margin = 2 * enough;
     for (int n = 0; n < most_pushes && margin <= std::max(slow_, 4 * enough); ++n, margin *= 2) {
         bool all_open = true;
         std::vector<double> wanted(count(), 0);
         for (std::size_t i = 0; i < count(); ++i) {
             const double c = rate(i);
-            if (!persists_[i] && c < 0) opens[i] = 1;  // what was done to others has made it close again
+            if (!persists_[i] && c < 0) opens[i] = 1;
             moved[i] = opens[i] || persists_[i];
             if (!moved[i]) continue;
             wanted[i] = opens[i] ? std::max(margin - c, 0.0) : -c;
             if (opens[i] && !(c > enough)) all_open = false;
         }
-        if (all_open) return;
+        if (all_open) return true;
         equalise(moved, wanted);
+        follow_planes();
     }
-    hold_jammed(opens, enough);
+    return false;
 }
 
-/// What cannot open, because jammed bodies are in its way, goes on without speed: it opens once their motion has made
-/// room. \param opens by contact: it should have opened \param enough what counts as open [length/time]
-void Persistence::hold_jammed(const std::vector<char>& opens, double enough)
+/// Who leans on one plane only goes along it, whatever pushes.
+void Persistence::follow_planes()
 {
-    bool some = false;
-    std::vector<double> wanted(count(), 0);
+    std::vector<int> held(component_.bodies.size(), 0);
+    for (std::size_t i = 0; i < count(); ++i) {
+        if (!persists_[i]) continue;
+        ++held[static_cast<std::size_t>(a(i))];
+        if (b(i) != immovable) ++held[static_cast<std::size_t>(b(i))];
+    }
     for (std::size_t i = 0; i < count(); ++i) {
         const Touch& t = component_.contacts[i];
-        if (!opens[i] || released_[i] || rate(i) > enough || t.gap > persistence_gap(state_, t.a, t.b)) continue;
-        persists_[i] = 1;
-        some = true;
+        const auto k = static_cast<std::size_t>(a(i));
+        if (!persists_[i] || !state_.is_plane(t.b) || held[k] > 1) continue;
+        Vec3& v = component_.flights[k].velocity;
+        if (std::abs(rate(i)) > 4 * unit_roundoff * length(v)) v -= (rate(i) / t.normal.squaredNorm()) * t.normal;
     }
-    for (std::size_t i = 0; i < count(); ++i)
-        if (persists_[i]) wanted[i] -= rate(i);
-    if (some) equalise(persists_, wanted);
 }
 
 /// Speeds and accelerations that are no more than what solving leaves of 0, where contacts hold a body.

@@ -54,7 +54,8 @@ private:
     bool stop_closing();
     void equalise(const std::vector<char>& which, const std::vector<double>& wanted);
     void push_apart(std::vector<char> opens);
-    void hold_jammed(const std::vector<char>& opens, double enough);
+    bool push(std::vector<char>& opens, double enough);
+    void follow_planes();
     void bring_to_rest();
     void hold_pressed();
 

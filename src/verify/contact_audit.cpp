@@ -23,8 +23,8 @@ std::uint64_t pair_key(BodyId a, BodyId b)
 
 }  // namespace
 
-ContactAudit::ContactAudit(const RunData& data, const Flights& flights, Findings& findings)
-    : data_(data), flights_(flights), findings_(findings)
+ContactAudit::ContactAudit(const RunData& data, const Flights& flights, Coverage& coverage, Findings& findings)
+    : data_(data), flights_(flights), coverage_(coverage), findings_(findings)
 {
 }
 
@@ -212,26 +212,34 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
     };
     const bool slow = -law.restitution * w <= margin * data_.closing_speed;
     // And impacts of one instant, which contacts without an impulse may connect, share one restitution.
-    if (data_.is_lossy && w < 0 && (several_ || (slow && (is_held(event.a) || is_held(event.b))))) {
+    const auto allow_less = [&] {
         const double measured = -impulse.dot(normal) / (mass * w * normal.squaredNorm()) - 1;
         const double within = std::clamp(measured, 0.0, std::max(law.restitution, largest_restitution_));
-        if (error(within) < found) {
-            found = error(within);
-            used = within;
-        }
-    }
+        if (!(error(within) < found)) return;
+        found = error(within);
+        used = within;
+    };
+    if (data_.is_lossy && w < 0 && (several_ || (slow && (is_held(event.a) || is_held(event.b))))) allow_less();
     const double scale = mass * speeds;
     double allowed = 64 * u * shake * scale;
     if (group.coupled) allowed += solved * scale + mass * bodies_->settling();
     // A solver may have found it, for contacts beside it that got no impulse worth an event.
     else if (data_.is_lossy && bodies_->knows_several_contacts())
         allowed += solved * scale + (is_supported(event.a) || is_supported(event.b) ? mass * bodies_->settling() : 0);
+    // Who is jammed cannot rebound, though others get no impulse.
+    if (!(found <= allowed) && w < 0 && (is_between(event.a) || is_between(event.b))) allow_less();
     if (!(found <= allowed))
         fail("an impulse on sphere " + std::to_string(event.a) + " is not that of its contact, by " +
                  figure(found / scale),
              event.a, event.b);
     if (scale > 0) Findings::keep_largest(findings_.out.largest_law_error, found / scale);
     return used;
+}
+
+/// Does a sphere touch more than one other body?
+bool ContactAudit::is_between(BodyId body)
+{
+    return body < data_.spheres() && coverage_.closed_normals(body, bodies_->now()).size() > 1;
 }
 
 /// IMPACTS 2: slow closings, and those of contacts that closed a moment ago, unless all e = 1.

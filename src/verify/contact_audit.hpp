@@ -4,6 +4,7 @@
 /// nothing closes afterwards.
 #pragma once
 
+#include "verify/coverage.hpp"
 #include "verify/findings.hpp"
 #include "verify/instant_bodies.hpp"
 
@@ -11,7 +12,7 @@ namespace carom::verification {
 
 class ContactAudit {
 public:
-    ContactAudit(const RunData& data, const Flights& flights, Findings& findings);
+    ContactAudit(const RunData& data, const Flights& flights, Coverage& coverage, Findings& findings);
 
     /// \pre the bodies are connected
     void check(InstantBodies& bodies, std::span<const Event> events);
@@ -31,6 +32,7 @@ private:
     double check_law(const Event& event, const Vec3& normal, const Group& group);
     bool may_be_inelastic(const Event& event, double closing) const;
     bool closed_a_moment_ago(const Event& event) const;
+    bool is_between(BodyId body);
     void remember(const Event& event);
     void add_up(const Before& b);
     void check_group(const Group& group, const Event* alone);
@@ -42,6 +44,7 @@ private:
 
     const RunData& data_;
     const Flights& flights_;
+    Coverage& coverage_;
     Findings& findings_;
     InstantBodies* bodies_ = nullptr;
     std::span<const Event> events_;                        ///< of the present instant

@@ -113,29 +113,39 @@ std::optional<Accepted> accept(const RunData& data, Findings& findings, const Fl
     return out;
 }
 
-void check_first(const RunData& data, Findings& findings, BodyId body, const Path& path)
+std::optional<Vec3> check_first(const RunData& data, Findings& findings, BodyId body, const Path& path)
 {
     const RecordedStart& start = data.run.starts[static_cast<std::size_t>(body)];
     const double size = start.velocity.norm() / data.units.length * data.units.time;
+    bool is_off = false;
+    Vec3 off = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
         const DoubleDouble x =
             DoubleDouble(static_cast<double>(path.cell[k])) + joined<DoubleDouble>(path.local[k], path.local_low[k]);
         const double scene = start.position[k] / data.units.length;
-        const double off = std::abs((x - DoubleDouble(scene)).high);
         // What lies on the negative side of 0 may be rounded to its cell.
-        if (off > (scene < 0 ? 2 * u : 0)) {
+        if (std::abs((x - DoubleDouble(scene)).high) > (scene < 0 ? 2 * u : 0)) {
             findings.violation("sphere " + std::to_string(body) + " does not start where the scene says", {}, body);
-            return;
+            return {};
         }
         const double v = data.units.speed(data.sphere(body).fixed ? 0 : start.velocity[k]);
         double turn = path.support < 0 ? 0 : 16 * u * size * std::abs(data.wall(path.support).normal[k]);
         if (path.support == several_supports) turn = 4 * (still * data.closing_speed + hidden * size);
-        if (std::abs(path.velocity[k] - v) > turn || path.velocity_low[k] != 0) {
-            findings.violation("sphere " + std::to_string(body) + " does not start as fast as the scene says", {},
-                               body);
-            return;
-        }
+        off[k] = path.velocity[k] - v;
+        if (path.velocity_low[k] != 0) off[k] = std::numeric_limits<double>::infinity();
+        is_off = is_off || std::abs(off[k]) > turn;
     }
+    return is_off ? std::optional(off) : std::nullopt;
+}
+
+void check_first_speed(const RunData& data, Findings& findings, BodyId body, const Vec3& off,
+                       std::span<const Vec3> normals, double speeds)
+{
+    Vec3 along = Vec3::Zero();
+    for (const Vec3& n : normals) along += n.cwiseAbs();
+    const Vec3 allowed = 4 * (still * data.closing_speed + hidden * speeds) * along;
+    if (!(off.array().abs() <= allowed.array()).all())
+        findings.violation("sphere " + std::to_string(body) + " does not start as fast as the scene says", {}, body);
 }
 
 }  // namespace carom::verification

@@ -20,8 +20,12 @@ std::optional<Accepted> accept(const RunData& data, Findings& findings, const Fl
 /// Speeds below `still` v_c, or `hidden` in others, may be taken from bodies that contacts hold together.
 inline constexpr double still = 1e-6, hidden = 1e-12;
 
-/// The first flight of a body.
-void check_first(const RunData& data, Findings& findings, BodyId body, const Path& path);
+/// The first flight of a body. \returns by how much its velocity is not the scene's, beyond rounding, if only contacts
+/// that open can tell why [cells/epoch]
+std::optional<Vec3> check_first(const RunData& data, Findings& findings, BodyId body, const Path& path);
+/// Is that what such contacts do? \param normals of those that are closed \param speeds the largest of the start
+void check_first_speed(const RunData& data, Findings& findings, BodyId body, const Vec3& off,
+                       std::span<const Vec3> normals, double speeds);
 
 /// Is the moment one that can be? 0 <= offset < 1, a number of epochs that doubles hold exactly.
 bool is_moment(const EpochTime& t);

@@ -9,7 +9,7 @@ namespace carom::verification {
 
 class ImpactAudit {
 public:
-    ImpactAudit(const RunData& data, const Flights& flights, Findings& findings);
+    ImpactAudit(const RunData& data, const Flights& flights, Coverage& coverage, Findings& findings);
 
     /// The events of an instant, before anything has changed.
     void begin(std::span<const Event> events, std::span<const FlightRecord> flights, const EpochTime& now);
@@ -28,6 +28,7 @@ private:
 
     const RunData& data_;
     const Flights& flights_;
+    Coverage& coverage_;
     Findings& findings_;
     InstantBodies bodies_;
     ContactAudit contacts_;

@@ -41,7 +41,7 @@ public:
           data_(source.run()),
           findings_(out_, data_.units, options.most_violations),
           coverage_(data_, flights_, findings_, options.all_pairs),
-          audit_(data_, flights_, findings_)
+          audit_(data_, flights_, coverage_, findings_)
     {
         out_.spheres = data_.spheres();
         out_.planes = data_.planes();
@@ -122,13 +122,18 @@ private:
             const auto accepted = accept(data_, findings_, flight);
             if (!accepted) return false;
             if (accepted->series) return impossible("a first flight is a series", flight.body);
-            check_first(data_, findings_, flight.body, accepted->path);
+            if (const auto off = check_first(data_, findings_, flight.body, accepted->path))
+                off_.emplace_back(flight.body, *off);
+            largest_speed_ = std::max(largest_speed_, accepted->path.velocity.norm());
             flights_.add(accepted->path);
         }
         if (!has_all()) return true;
         source_.forget_starts();
         coverage_.begin();
         covering_ = true;
+        for (const auto& [body, off] : off_)
+            check_first_speed(data_, findings_, body, off, coverage_.closed_normals(body, now_), largest_speed_);
+        off_ = {};
         return true;
     }
 
@@ -234,6 +239,8 @@ private:
     ImpactAudit audit_;
     EventHash hash_;
     EpochTime now_;
+    std::vector<std::pair<BodyId, Vec3>> off_;  ///< first flights that are not quite as fast as the scene says
+    double largest_speed_ = 0;                  ///< of the first flights [cells/epoch]
     std::int64_t looked_ = 0;
 };
 
