@@ -81,13 +81,16 @@ double Persistence::rate(std::size_t contact) const
     return component_.contacts[contact].normal.dot(relative_velocity(contact));
 }
 
+bool Persistence::is_closed(std::size_t contact) const
+{
+    const Touch& t = component_.contacts[contact];
+    return t.gap <= persistence_gap(state_, t.a, t.b);
+}
+
 void Persistence::choose_candidates()
 {
     const double most = loses_energy() ? std::max(slow_, state_.rest.closing_speed) : slow_;
-    for (std::size_t i = 0; i < count(); ++i) {
-        const Touch& t = component_.contacts[i];
-        persists_.push_back(t.gap <= persistence_gap(state_, t.a, t.b) && rate(i) <= most);
-    }
+    for (std::size_t i = 0; i < count(); ++i) persists_.push_back(is_closed(i) && rate(i) <= most);
 }
 
 /// In components with some e < 1 a contact that opens slower than v_c while forces press it comes back slower than
@@ -216,30 +219,32 @@ double Persistence::softest(std::size_t contact) const
 }
 
 /// Contacts open from speed 0; by rounding that must not look like closing to those who predict. What cannot open,
-/// because jammed bodies are in its way, persists: it opens once their motion has made room.
+/// because jammed bodies are in its way, persists: it opens once their motion has made room. If it is open by the
+/// height of a slow rebound it may go on to close.
 void Persistence::push_apart(std::vector<char> opens)
 {
     const double enough = 8 * unit_roundoff * std::max(largest_speed(component_), slow_);
-    for (bool some_held = true; some_held;) {
+    std::vector<char> left(count(), 0);
+    for (bool goes_on = true; goes_on;) {
         const std::vector<Flight> flights = component_.flights;
         const std::vector<double> impulses = impulses_;
-        if (push(opens, enough)) return;
-        some_held = false;
+        if (push(opens, left, enough)) return;
+        goes_on = false;
         for (std::size_t i = 0; i < count(); ++i) {
-            const Touch& t = component_.contacts[i];
-            if (!opens[i] || released_[i] || rate(i) > enough || t.gap > persistence_gap(state_, t.a, t.b)) continue;
-            persists_[i] = 1;
+            if (!opens[i] || released_[i] || rate(i) > enough) continue;
+            (is_closed(i) ? persists_ : left)[i] = 1;
             opens[i] = 0;
-            some_held = true;
+            goes_on = true;
         }
-        if (!some_held) return;
+        if (!goes_on) return;
         component_.flights = flights;
         impulses_ = impulses;
     }
 }
 
-/// \param opens by contact; those that others make close again join \returns whether all open at `enough` or faster
-bool Persistence::push(std::vector<char>& opens, double enough)
+/// \param opens by contact; those that others make close again join, but for those \param left alone
+/// \returns whether all open at `enough` or faster
+bool Persistence::push(std::vector<char>& opens, const std::vector<char>& left, double enough)
 {
     constexpr int most_pushes = 40;
     std::vector<char> moved(count(), 0);
@@ -249,7 +254,7 @@ bool Persistence::push(std::vector<char>& opens, double enough)
         std::vector<double> wanted(count(), 0);
         for (std::size_t i = 0; i < count(); ++i) {
             const double c = rate(i);
-            if (!persists_[i] && c < 0) opens[i] = 1;
+            if (!persists_[i] && !left[i] && c < 0) opens[i] = 1;
             moved[i] = opens[i] || persists_[i];
             if (!moved[i]) continue;
             wanted[i] = opens[i] ? std::max(margin - c, 0.0) : -c;
@@ -303,10 +308,8 @@ void Persistence::bring_to_rest()
 void Persistence::hold_pressed()
 {
     for (std::size_t i = 0; i < count(); ++i) {
-        const Touch& t = component_.contacts[i];
         const double c = rate(i);
-        if (!persists_[i] && !released_[i] && c < 0 && c >= -slow_ && t.gap <= persistence_gap(state_, t.a, t.b))
-            persists_[i] = 1;
+        if (!persists_[i] && !released_[i] && c < 0 && c >= -slow_ && is_closed(i)) persists_[i] = 1;
     }
 }
 

@@ -41,6 +41,7 @@ private:
     std::size_t count() const { return component_.contacts.size(); }
     Vec3 relative_velocity(std::size_t contact) const;
     double rate(std::size_t contact) const;
+    bool is_closed(std::size_t contact) const;
     double turning(std::size_t contact) const;
     bool loses_energy() const;
     double softest(std::size_t contact) const;
@@ -54,7 +55,7 @@ private:
     bool stop_closing();
     void equalise(const std::vector<char>& which, const std::vector<double>& wanted);
     void push_apart(std::vector<char> opens);
-    bool push(std::vector<char>& opens, double enough);
+    bool push(std::vector<char>& opens, const std::vector<char>& left, double enough);
     void follow_planes();
     void bring_to_rest();
     void hold_pressed();

@@ -74,12 +74,19 @@ public:
         const std::vector<Touch> contacts = component_.contacts, opened = component_.opened;
         const double speed = std::max(speed_, largest_speed(velocities_of(component_)));
         HeldComponent held = hold(state_, std::move(component_), now_);
+        const auto is_asked = [&](const Touch& t) { return key != nullptr && is_impact(*key) && is_of(t, *key); };
+        // Where what is asked for is less than slow, so is what balances it.
+        double least = slow(speed);
+        for (std::size_t i = 0; i < contacts.size(); ++i)
+            if (is_asked(contacts[i]))
+                least = std::min(least, 1e-3 * length(impulses_[i] + held.impulses[i] * contacts[i].normal) *
+                                            lightness(contacts[i]));
+        least = std::max(least, rounding * speed);
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const Touch& t = contacts[i];
             Vec3 impulse = Vec3::Zero();
             if (length(impulses_[i]) * lightness(t) > rounding * speed) impulse += impulses_[i];
-            const bool asked = key != nullptr && is_impact(*key) && is_of(t, *key);
-            if (asked || std::abs(held.impulses[i]) * lightness(t) > slow(speed))
+            if (is_asked(t) || std::abs(held.impulses[i]) * lightness(t) > least)
                 impulse += held.impulses[i] * t.normal;
             report(t, impulse, held.persists[i], started);
         }
