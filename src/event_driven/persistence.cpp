@@ -1,7 +1,9 @@
 #include "event_driven/persistence.hpp"
 
 #include "contact/equalise.hpp"
+#include "impact/cluster_problem.hpp"
 #include "impact/contact_forces.hpp"
+#include "impact/operators.hpp"
 #include "math/error_free.hpp"
 #include "math/length.hpp"
 
@@ -41,6 +43,7 @@ Persistence::Persistence(const State& state, ContactComponent component)
         let_open(opens);
     }
     push_apart(std::move(opens));
+    open_what_closes();
     bring_to_rest();
     hold_pressed();
 }
@@ -67,6 +70,7 @@ void Persistence::release(std::vector<char> opens)
         released_[i] = 1;
     }
     push_apart(std::move(opens));
+    open_what_closes();
     hold_pressed();
 }
 
@@ -283,6 +287,32 @@ void Persistence::follow_planes()
         Vec3& v = component_.flights[k].velocity;
         if (std::abs(rate(i)) > 4 * unit_roundoff * length(v)) v -= (rate(i) / t.normal.squaredNorm()) * t.normal;
     }
+}
+
+/// Where jammed bodies cannot have the rates that were wanted, some contacts still close: a last inelastic impact.
+void Persistence::open_what_closes()
+{
+    std::vector<char> closed(count(), 0);
+    bool some = false;
+    for (std::size_t i = 0; i < count(); ++i) {
+        closed[i] = is_closed(i);
+        some = some || (closed[i] && rate(i) < -slow_);
+    }
+    if (!some) return;
+    const double before = kinetic_energy();
+    const Cluster cluster = with_contacts(closed);
+    const NormalImpact impact = inelastic(cluster);
+    std::vector<Vec3> pushes;
+    for (std::size_t n = 0; n < cluster.contacts.size(); ++n)
+        pushes.push_back(impact.impulses[n] * cluster.contacts[n].normal);
+    const std::vector<Vec3> after = velocities_after(cluster, velocities_before(cluster), pushes);
+    for (std::size_t k = 0; k < after.size(); ++k) component_.flights[k].velocity = after[k];
+    for (std::size_t i = 0, n = 0; i < count(); ++i) {
+        if (!closed[i]) continue;
+        impulses_[i] += impact.impulses[n++];
+        if (rate(i) > slow_) persists_[i] = 0;
+    }
+    energy_taken_ += before - kinetic_energy();
 }
 
 /// Speeds and accelerations that are no more than what solving leaves of 0, where contacts hold a body.

@@ -57,6 +57,7 @@ private:
     void push_apart(std::vector<char> opens);
     bool push(std::vector<char>& opens, const std::vector<char>& left, double enough);
     void follow_planes();
+    void open_what_closes();
     void bring_to_rest();
     void hold_pressed();
 
