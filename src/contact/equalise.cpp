@@ -10,10 +10,13 @@ namespace carom {
 
 namespace {
 
-/// How much further than the widest gap that is to close (or the fastest) a body may go: a tower of a thousand needs
-/// 640 (1000 * 2 / pi, from its smallest singular value). A sphere pinched between two that do not give way could close
-/// both gaps a few radii aside, where their normals differ.
-constexpr double stretch = 0x1p12;
+/// How much further than the widest gap that is to close (or the fastest) a body may go: a tower of n needs 2 n / pi
+/// (from its smallest singular value), a sphere between two walls as far as their angle says. One pinched between two
+/// that do not give way could close both gaps a few radii aside, where their normals differ.
+double stretch(std::size_t contacts)
+{
+    return 256 + 4 * static_cast<double>(contacts);
+}
 
 /// Fewer contacts are equalised sooner than factored.
 constexpr std::size_t factored_from = 16;
@@ -31,7 +34,7 @@ EqualisingChange equalising_change(const Cluster& cluster, std::span<const doubl
         const ClusterContact& c = cluster.contacts[i];
         normals.emplace_back(HalfSpace{c.a, c.b, c.normal, 0}, w);
         scaled.push_back(wanted[i] / normals.back().length);
-        far = std::max(far, stretch * std::abs(wanted[i]));
+        far = std::max(far, stretch(wanted.size()) * std::abs(wanted[i]));
     }
     std::vector<double> furthest;
     for (const double each : w) furthest.push_back(far / std::sqrt(each));

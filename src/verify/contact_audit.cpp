@@ -127,14 +127,17 @@ void ContactAudit::check_event(const Event& event)
     const bool precise =
         data_.run.certified && event.kind == EventKind::impact && group.impulses == 1 && !group.coupled;
     const bool numeric = a.path.mode == Mode::numeric || (b && b->path.mode == Mode::numeric);
-    double allowed = precise ? 64 * u * std::max(at.travel, at.size) : (numeric ? 1e-2 : contact_slack) * radius;
+    const bool was_numeric = coverage_.was_numeric(event.a) || (b && coverage_.was_numeric(event.b));
+    double allowed = precise ? 64 * u * std::max(at.travel, at.size)
+                             : (numeric || (was_numeric && at.gap < 0) ? deepest_numeric : contact_slack) * radius;
     // Within the height of the rebounds that count as none.
     if (is_push(event) && !data_.run.certified && closed_a_moment_ago(event))
         allowed += data_.closing_speed * data_.window / 4;
     const std::string who = "sphere " + std::to_string(event.a);
     if (!(std::abs(at.gap) <= allowed))
         fail(who + " is pushed at a gap of " + figure(at.gap * data_.units.length), event.a, event.b);
-    if (!numeric) Findings::keep_largest(findings_.out.largest_impact_gap, std::abs(at.gap) * data_.units.length);
+    if (!numeric && !was_numeric)
+        Findings::keep_largest(findings_.out.largest_impact_gap, std::abs(at.gap) * data_.units.length);
     if (!((at.normal - event.normal).cwiseAbs().maxCoeff() <= (numeric ? 1e-2 : 32 * u * (1 + at.shake))))
         fail(who + " is pushed along a wrong normal", event.a, event.b);
     if (event.kind == EventKind::impact) check_impulse(event, at, group);
@@ -301,7 +304,7 @@ void ContactAudit::add_up(const Before& b)
     group.mass += m;
     group.change += m * twice.high / 2;
     group.energy += m * (v0.squaredNorm() + v1.squaredNorm() + b.speed_size.squaredNorm()) / 2;
-    group.momenta += m * (v0.norm() + v1.norm() + b.speed_size.norm());
+    group.momenta += m * (v0.norm() + v1.norm() + b.speed_size.norm()) + b.pushes;
     // What persistent contacts take beside the impulses was looked at body by body; it may add to the energy of none.
     if (after.support == -1 && b.path.support == -1) return;
     group.supported = true;

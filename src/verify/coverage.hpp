@@ -32,6 +32,7 @@ public:
     /// so where the flight begins, and where it ends but for what numeric partners have rolled in their last step.
     enum class Edge { begins, ends };
     void check_support(BodyId body, const EpochTime& now, Edge edge);
+    bool was_numeric(BodyId body) const { return gaps_.was_numeric(body); }
     /// Of all contacts that are closed now, towards the body, whose series is over; of others on their present flights.
     std::vector<Vec3> closed_normals(BodyId body, const EpochTime& now);
 

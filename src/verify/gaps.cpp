@@ -208,6 +208,11 @@ void Gaps::count(BodyId body, const EpochTime& now)
                                       : sum.not_certified) += seconds;
 }
 
+bool Gaps::was_numeric(BodyId body) const
+{
+    return past_[static_cast<std::size_t>(body)] == left_by_numeric;
+}
+
 void Gaps::note_overlap(BodyId a, BodyId b)
 {
     const Path pa = flights_.path(a), pb = flights_.path(b);

@@ -35,6 +35,9 @@ public:
     void note_overlap(BodyId a, BodyId b);
     void note_overlap_with_plane(BodyId body, int p);
 
+    /// Has a numeric piece ended that this body was on? Then it may have been left in an overlap.
+    bool was_numeric(BodyId body) const;
+
     /// Gap so far [cells].
     double smallest() const { return smallest_; }
 

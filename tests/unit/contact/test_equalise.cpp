@@ -85,7 +85,7 @@ TEST_CASE("changes are those of least squares, and impulses make them, however c
         }
         CAPTURE(trial, small, least.norm(), got.norm());
         CHECK((made - got).norm() <= 1e-9 * (1 + least.norm()));
-        // As good as least squares can be, and no longer; but nobody goes 4096 times as far as is wanted.
+        // As good as least squares can be, and no longer; but nobody goes hundreds of times as far as is wanted.
         double far = 0, furthest = 0, asked = 0;
         for (const double wish : wanted) asked = std::max(asked, std::abs(wish));
         for (std::size_t k = 0; k < cluster.bodies.size(); ++k) {
@@ -93,9 +93,10 @@ TEST_CASE("changes are those of least squares, and impulses make them, however c
             furthest = std::max(furthest, std::sqrt(cluster.bodies[k].inverse_mass) *
                                               least.segment<3>(static_cast<Eigen::Index>(3 * k)).norm());
         }
-        if (furthest <= 1000 * asked) CHECK((A * got - scaled).norm() <= (A * least - scaled).norm() + 1e-6);
-        CHECK(far <= 4096 * asked);
-        if (small > 1e-3) CHECK((got - least).norm() <= 1e-6 * (1 + least.norm()));
+        const bool allowed = furthest <= 250 * asked;
+        if (allowed) CHECK((A * got - scaled).norm() <= (A * least - scaled).norm() + 1e-6);
+        CHECK(far <= (256 + 4 * static_cast<double>(wanted.size())) * asked);
+        if (small > 1e-3 && allowed) CHECK((got - least).norm() <= 1e-6 * (1 + least.norm()));
         CHECK(got.norm() <= 1.001 * least.norm() + 1e-6);
     }
 }
@@ -110,7 +111,7 @@ TEST_CASE("a sphere pinched by two that do not give way is not moved aside to wh
         const std::vector<double> wanted{-1e-9, -1e-9};
         const Vec3 change = equalising_change(cluster, wanted).change.front();
         CAPTURE(tilt, change);
-        CHECK(change.norm() <= 4096e-9);
+        CHECK(change.norm() <= 264e-9);
         if (tilt >= 1e-2) {  // it can be done, and is
             CHECK(cluster.contacts[0].normal.dot(change) == Approx(-1e-9));
             CHECK(cluster.contacts[1].normal.dot(change) == Approx(-1e-9));
