@@ -15,6 +15,8 @@ using Bodies = std::vector<NumericBody>;
 
 /// Of a step: an opening that comes sooner is one of its beginning.
 constexpr double at_once = 1e-6;
+/// Steps are halved no more often.
+constexpr int most_halvings = 6;
 
 struct Geometry {
     Vec3 normal;
@@ -71,6 +73,7 @@ struct RungeKutta {
     Bodies bodies;
     std::vector<double> forces;  ///< mean
     ContactForces at_end;
+    double disagreement = 0;  ///< of the middle stages, in places [length]
 };
 
 RungeKutta runge_kutta(const NumericCluster& cluster, const ContactForces& k1, double h)
@@ -82,8 +85,10 @@ RungeKutta runge_kutta(const NumericCluster& cluster, const ContactForces& k1, d
     const ContactForces k3 = forces_at(cluster, y3, k2.forces);
     const Bodies y4 = moved(y1, y3, k3, h);
     const ContactForces k4 = forces_at(cluster, y4, k3.forces);
-    RungeKutta out{y1, {}, {}};
+    RungeKutta out{y1, {}, {}, 0};
     for (std::size_t i = 0; i < y1.size(); ++i) {
+        const Vec3 differ = k3.accelerations[i] - k2.accelerations[i];
+        out.disagreement = std::max(out.disagreement, h * h / 6 * differ.cwiseAbs().maxCoeff());
         out.bodies[i].position += h / 6 * ((y1[i].velocity + y4[i].velocity) + 2 * (y2[i].velocity + y3[i].velocity));
         out.bodies[i].velocity +=
             h / 6 * ((k1.accelerations[i] + k4.accelerations[i]) + 2 * (k2.accelerations[i] + k3.accelerations[i]));
@@ -147,6 +152,11 @@ double step(const NumericCluster& cluster, const ContactForces& start, double h,
     std::vector<char> watched;
     for (const double force : start.forces) watched.push_back(force > 0);
     end = runge_kutta(cluster, start, h);
+    // Wedges of jammed bodies turn their normals on the way of a small part of a radius.
+    for (int n = 0; n < most_halvings && end.disagreement > cluster.agreement; ++n) {
+        h /= 2;
+        end = runge_kutta(cluster, start, h);
+    }
     if (!(opening(cluster, end.at_end, watched) > 0)) return h;
     return step_to_opening(cluster, start, h, watched, end);
 }

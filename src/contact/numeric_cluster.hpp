@@ -4,6 +4,7 @@
 
 #include "impact/cluster.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace carom {
@@ -30,6 +31,9 @@ struct NumericCluster {
     std::vector<NumericContact> contacts;
     Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
     double opening = 0;           ///< a contact opens at gap rates (d2 gap/dt2) above this, > 0 [length/time^2]
+    /// Steps are halved, some times, until places would differ by no more than this if the accelerations of one middle
+    /// stage were those of the other [length]
+    double agreement = std::numeric_limits<double>::infinity();
 };
 
 /// One step of the classical Runge-Kutta method of order 4 with the complementarity problem of the contact forces at
