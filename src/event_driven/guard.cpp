@@ -92,23 +92,30 @@ private:
         return t.gap < margin || t.gap + length_ * t.normal.dot(relative) < margin;
     }
 
-    std::vector<BodyState> moreau_step() const
+    /// The nearest velocities that overlap nowhere at the end of the window, distances taken along normals (spheres
+    /// are further apart): 0 <= lambda _|_ c + gap/h >= 0, the same problem as that of forces.
+    std::vector<Vec3> without_overlap(const std::vector<Vec3>& velocities) const
     {
+        if (component_.contacts.empty()) return velocities;
         Cluster cluster = cluster_of(state_, component_);
-        for (ClusterBody& body : cluster.bodies) body.velocity += length_ * gravity_;
+        for (std::size_t k = 0; k < velocities.size(); ++k) cluster.bodies[k].velocity = velocities[k];
         std::vector<double> allowed;
         for (const Touch& t : component_.contacts) allowed.push_back(std::max(t.gap, 0.0) / length_);
-        // The same problem as that of forces, with velocities: 0 <= lambda _|_ c+ + gap/h >= 0.
-        const std::vector<Vec3> after = component_.contacts.empty()
-                                            ? velocities_before(cluster)
-                                            : solve_contact_forces(cluster, allowed).accelerations;
+        return solve_contact_forces(cluster, allowed).accelerations;
+    }
+
+    std::vector<BodyState> moreau_step() const
+    {
+        std::vector<Vec3> free;
+        for (const Flight& f : component_.flights) free.push_back(f.velocity + length_ * gravity_);
+        const std::vector<Vec3> after = without_overlap(free);
         std::vector<BodyState> out;
         for (std::size_t k = 0; k < after.size(); ++k) out.push_back({length_ * after[k], after[k], Mode::numeric});
         return out;
     }
 
-    /// A scene of the members, and of what they could meet, in one step of another method. \returns displacements and
-    /// velocities
+    /// A scene of the members, and of what they could meet, in one step of another method; overlaps that it leaves end
+    /// with the window, for the engine knows none. \returns displacements and velocities
     std::vector<BodyState> discrete_step() const
     {
         const Place& centre = component_.flights.front().place;
@@ -136,9 +143,13 @@ private:
         const Outcome step = state_.scene.guard.fallback == GuardFallback::pbd
                                  ? run_stepping(scene, PositionBased{{options}}, {}, {})
                                  : run_stepping(scene, VelocityBased{{options}}, {}, {});
-        std::vector<BodyState> out;
+        std::vector<Vec3> mean;
         for (std::size_t k = 0; k < component_.bodies.size(); ++k)
-            out.push_back({step.final[k].position - scene.spheres[k].position, step.final[k].velocity, Mode::numeric});
+            mean.push_back((step.final[k].position - scene.spheres[k].position) / length_);
+        mean = without_overlap(mean);
+        std::vector<BodyState> out;
+        for (std::size_t k = 0; k < mean.size(); ++k)
+            out.push_back({length_ * mean[k], step.final[k].velocity, Mode::numeric});
         return out;
     }
 

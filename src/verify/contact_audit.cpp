@@ -342,7 +342,9 @@ void ContactAudit::check_group(const Group& group, const Event* alone)
     if (group.supported || group.coupled) return;  // of each body by itself: check_speed
     const double left = group.momentum.cwiseAbs().maxCoeff();
     // A solver that has several impulses to find leaves out those that are nothing beside the others.
-    if (!(left <= 64 * u * group.momenta + (several_ ? hidden * group.mass * bodies_->speeds() : 0)))
+    double allowed = 64 * u * group.momenta;
+    if (several_ || (left > allowed && is_between(group.first))) allowed += hidden * group.mass * bodies_->speeds();
+    if (!(left <= allowed))
         fail("the momentum of an impact does not balance, by " + figure(left / group.momenta), group.first,
              group.second);
     if (group.momenta > 0) Findings::keep_largest(findings_.out.largest_momentum_error, left / group.momenta);
