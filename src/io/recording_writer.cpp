@@ -57,9 +57,10 @@ public:
     {
         const Bytes document = bytes_of_text(scene_json_without_spheres(scene_));
         const RestThresholds rest = rest_thresholds(scene_);
+        const double window = scene_.rest.policy == RestPolicy::micro ? 0 : rest.window;
         const FrameRow row{
             frame.epoch_length, frame.cell_size, bytes_of(std::span(&scene_.gravity, 1)), bytes_of(frame.accelerations),
-            rest.closing_speed, rest.window};
+            rest.closing_speed, window};
         const std::vector<BodiesRow> bodies = bodies_rows(scene_);
         checksum_ = head_checksum(meta_, document, row, bodies);
 

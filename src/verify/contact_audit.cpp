@@ -214,6 +214,11 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
         found = error(0);
         used = 0;
     }
+    // Below a minimal speed the bounces of the rest policy micro lose nothing.
+    if (data_.is_lossy && data_.window == 0 && -w <= data_.closing_speed && error(1) < found) {
+        found = error(1);
+        used = 1;
+    }
     // A rebound slower than v_c may be held, all of it or in part. (A sphere alone on a plane sums its bounces: it
     // rests without an impact at that instant.)
     constexpr double margin = 1 + 1e-9;
