@@ -92,7 +92,8 @@ struct CompareRow {
     std::optional<int> substeps, passes;               ///< none for `event`
     double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median and spread of `repeats` unrecorded runs [s]
     int repeats = 0;  ///< 0: the recorded run alone was timed, it was too long to repeat
-    std::optional<double> position_rms, position_max;  ///< up to the end of the reference [length]
+    /// Up to the end of the reference; none if that is before the first sample after the start [length]
+    std::optional<double> position_rms, position_max;
     std::optional<double> position_final_rms,
         position_final_max;              ///< at `until`; none if reference or run ends before [length]
     std::optional<double> velocity_rms;  ///< [length/time]

@@ -36,10 +36,11 @@ std::string bracketed(const std::string& unit)
     return unit.empty() ? "" : " [" + unit + "]";
 }
 
-/// Impacts are counted while run and reference agree. A run that parts from it before the first one has none to miss.
+/// Impacts are counted while run and reference agree. A run that parts from it before the first one has none to miss,
+/// and so has one whose reference ends at the start.
 bool never_judged(const CompareRow& row)
 {
-    return row.divergence_time && row.reference_impacts == 0;
+    return (row.divergence_time || !row.position_max) && row.reference_impacts == 0;
 }
 
 std::string status_text(const CompareRow& row)

@@ -129,7 +129,7 @@ void Recorder::match(CompareRow& row, const Outcome& outcome)
 
 void Recorder::finish(CompareRow& row, const Outcome& outcome)
 {
-    if (compared_ > 0) {
+    if (compared_ > 1) {  // at the start nobody is off
         const auto n = static_cast<double>(compared_);
         row.position_rms = std::sqrt(position_squares_.value() / n);
         row.velocity_rms = std::sqrt(velocity_squares_.value() / n);
@@ -143,7 +143,7 @@ void Recorder::finish(CompareRow& row, const Outcome& outcome)
     if (resting_ > 0) row.rest_jitter = std::sqrt(jitter_squares_.value() / static_cast<double>(resting_));
     row.divergence_time = divergence_time_;
     row.reference_bound = task_.reference.bound;
-    match(row, outcome);
+    if (task_.reference.until > 0) match(row, outcome);
     row.max_penetration = outcome.max_penetration;
     if (std::holds_alternative<EventDriven>(task_.method))
         for (const double depth : series_.penetration) keep_largest(row.max_penetration, depth);

@@ -81,6 +81,25 @@ std::string reference_sentence(const VerdictWords& words)
            ": errors and impacts are counted up to there.";
 }
 
+bool measures_nothing(const Comparison& comparison)
+{
+    return std::none_of(comparison.rows.begin(), comparison.rows.end(),
+                        [](const CompareRow& row) { return verdict_error(row).has_value(); });
+}
+
+/// Where the reference ends at the start.
+std::vector<std::string> verdict_without_reference(const Scene& scene, const VerdictWords& words)
+{
+    const ReferenceSummary& reference = words.comparison().reference;
+    std::string text = "There is no verdict: the reference ends at t = " + words.time(reference.until) +
+                       (reference.reason.empty() ? "" : " (" + reference.reason + ")") +
+                       ", so that nothing here measures errors, only what a run costs.";
+    return {text,
+            "How much the thresholds of the event method matter shows when they change: compare the ends of carom run "
+            "with and without --set /rest/numeric_step=" +
+                two_digits(rest_thresholds(scene).numeric_step / 2) + ", half of what it is."};
+}
+
 std::string chaos_sentence(const VerdictWords& words)
 {
     return "event itself leaves the reference by more than a hundredth of the smallest radius at t = " +
@@ -93,6 +112,8 @@ std::vector<std::string> verdict(const Scene& scene, const Comparison& compariso
 {
     if (comparison.rows.empty()) return {"No run was finished, so there is no verdict."};
     const VerdictWords words(scene, comparison);
+    if (comparison.reference.until < comparison.until && measures_nothing(comparison))
+        return verdict_without_reference(scene, words);
     std::vector<std::string> result{first_sentence(words)};
     if (comparison.reference.until < comparison.until) result.push_back(reference_sentence(words));
     if (words.event() != nullptr && words.event()->divergence_time) result.push_back(chaos_sentence(words));

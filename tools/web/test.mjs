@@ -12,6 +12,7 @@ import { placeLabels, spread } from "./src/labels.js";
 import { farBelow, logAxis } from "./src/logaxis.js";
 import { groupRows, rowLabel, stepLabel, stepsOf, withLateAndLost } from "./src/rows.js";
 import { methodStyle, SYMBOLS } from "./src/styles.js";
+import { projection, suitableHeight } from "./src/view_draw.js";
 
 const CSV_COLUMNS = "method,dt,substeps,passes,cpu_seconds,cpu_min,cpu_max,position_rms,position_max,position_final_rms,position_final_max,velocity_rms,energy_error," +
   "max_penetration,missed_impacts,invented_impacts,impacts,rest_jitter,divergence_time,reference_bound,steps,root_solves,pair_tests,status";
@@ -25,6 +26,15 @@ test("numbers are written as people write them", () => {
   assert.equal(formatNumber(1234), "1234");
   assert.equal(formatNumber(null), "–");
   assert.equal(formatNumber(NaN), "–");
+});
+
+test("axes get scales of their own only where spheres could not be seen otherwise", () => {
+  const view = (height, radius) => ({ min: [0, 0], max: [0.2, height], radius: [radius] });
+  const stretch = (v) => projection(v, { x: 0, y: 0, width: 400, height: suitableHeight(v, 400) }).stretch;
+  assert.equal(stretch(view(0.4, 0.1)), 1);
+  assert.equal(stretch(view(4, 0.1)), 1); // a tower of 20
+  assert.ok(stretch(view(40, 0.1)) < 1);
+  assert.ok(stretch({ min: [0, 0], max: [40, 0.2], radius: [0.1] }) > 1);
 });
 
 test("seconds and metres take prefixes, other units none", () => {

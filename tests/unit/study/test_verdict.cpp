@@ -180,6 +180,30 @@ TEST_CASE("a reference that ends early says up to when figures hold", "[verdict]
           "there.");
 }
 
+TEST_CASE("where the reference ends at the start nothing is right or wrong", "[verdict]")
+{
+    // A ball that rolls off another one: contacts turn from the start.
+    Scene scene = metric_scene();
+    scene.gravity = {0, 0, -10};
+    scene.spheres.front().fixed = true;
+    scene.spheres.push_back(make_sphere("roller", 0.1));
+    scene.spheres.back().position = {0.12, 0, 0.16};
+    CompareOptions options;
+    options.methods = {"event", "pbd"};
+    options.dt = {0.01};
+    options.until = 0.1;
+    options.repeats = 1;
+    const Comparison result = compare_methods(scene, options);
+    CHECK(result.reference.until == 0);
+    for (const CompareRow& row : result.rows) {
+        CHECK(!row.position_max);
+        CHECK(row.missed_impacts + row.invented_impacts + row.reference_impacts == 0);
+    }
+    REQUIRE(result.verdict.size() == 2);
+    CHECK_THAT(result.verdict[0], Contains("no verdict") && Contains("roller at t = 0"));
+    CHECK_THAT(result.verdict[1], Contains("--set /rest/numeric_step=0.001"));
+}
+
 TEST_CASE("a step that holds above one that does not is no answer, and the range to look in is told", "[verdict]")
 {
     CompareRow blind = step_row("pbd", 1.0 / 3000, 9e-4, 1e-5);

@@ -47,7 +47,8 @@ function judgedText(strips) {
 export function missedFigure(comparison) {
   const strips = missedRows(comparison);
   const counted = strips.filter((s) => s.count !== null);
-  if (!strips.length) return null;
+  const end = comparison.reference.until ?? comparison.until;
+  if (!strips.length || !(end > 0)) return null;
   const timeUnit = comparison.units.time ?? "";
   const total = counted.reduce((sum, s) => sum + s.count, 0);
   const clean = counted.filter((s) => s.count === 0 && !isNumber(s.row.divergence_time));
@@ -58,7 +59,7 @@ export function missedFigure(comparison) {
     table: () => [["row", "label", "missed", "late", "time", "contact"],
       strips.flatMap((s) => (s.times.length ? s.times.map((t, i) => [s.index, rowLabel(s.row), s.lost, s.row.late, t, s.names[i]]) : [[s.index, rowLabel(s.row), s.lost, s.row.late, "", ""]]))],
   };
-  const cleanText = [clean.length ? `None missed, none late, to the end: ${together(clean)}.` : "", ...judgedText(strips)].filter(Boolean).join(" ");
+  const cleanText = [clean.length ? `None missed, none late, ${end < comparison.until ? "up to the end of the reference" : "to the end"}: ${together(clean)}.` : "", ...judgedText(strips)].filter(Boolean).join(" ");
   if (total === 0) {
     return figure({ title, className: "full", caption: clean.length === strips.length ? "No method missed an impact of the reference." : "Where impacts were counted, none was missed.", body: [h("p", { class: "note" }, cleanText)], csv });
   }
@@ -76,7 +77,7 @@ export function missedFigure(comparison) {
           (strip.names[p.data.at] ? `<br>${escapeHtml(strip.names[p.data.at])}` : "");
       },
     }),
-    xAxis: axis(withUnit("time", timeUnit), { nameLocation: "middle", nameGap: 32, min: 0, max: Math.min(comparison.until, comparison.reference.until ?? comparison.until), axisLabel: { formatter: (v) => formatNumber(v) } }),
+    xAxis: axis(withUnit("time", timeUnit), { nameLocation: "middle", nameGap: 32, min: 0, max: Math.min(comparison.until, end), axisLabel: { formatter: (v) => formatNumber(v) } }),
     yAxis: {
       type: "category", inverse: true, data: names.map(([row, count]) => `${row}{n|${count}}`),
       axisLine: { show: !narrow, lineStyle: { color: "#8895a3" } }, axisTick: { show: false }, splitLine: { show: true, lineStyle: { color: "#e3e8ee" } },

@@ -60,7 +60,8 @@ function niceRange(low, high) {
  * @param {{quantity: "energy_error"|"penetration"|"position_max", title: string, caption: string, axisName: string, unit: string}} what
  */
 export function timeFigure(comparison, what) {
-  const series = (comparison.series ?? []).filter((s) => s[what.quantity]?.some(isNumber) && comparison.rows[s.row]);
+  // What is known at the start only is no line.
+  const series = (comparison.series ?? []).filter((s) => s[what.quantity]?.slice(1).some(isNumber) && comparison.rows[s.row]);
   if (!series.length) return null;
   if (what.quantity === "penetration" && series.every((s) => s.penetration.every((v) => !v))) {
     return figure({ title: what.title, caption: what.caption, className: "full", body: [h("p", {}, "None: no run had an overlap at any sample.")] });

@@ -7,6 +7,7 @@ import { drawPlane, namePlane } from "./view_planes.js";
 const MARGIN = 30; // px around the view's box, for planes and their names
 const LEAST_RADIUS = 4; // px, so that a bullet on a range is seen
 const LONGEST = 8; // sides of a view further apart than this get scales of their own
+const HIGHEST = 430; // px
 export const FEW = 12; // up to so many spheres have their paths drawn
 const NAMED = 10; // up to so many planes are named
 
@@ -19,7 +20,7 @@ export function projection(view, rect) {
   const span = [0, 1].map((axis) => view.max[axis] - view.min[axis]);
   const fit = [room[0] / span[0], room[1] / span[1]];
   const least = Math.min(...fit);
-  const scale = isStretched(view) ? fit : [least, least];
+  const scale = isStretched(view, rect.width) ? fit : [least, least];
   const [cx, cy] = [0, 1].map((axis) => (view.min[axis] + view.max[axis]) / 2);
   return {
     scale, rect, stretch: scale[1] / scale[0],
@@ -31,14 +32,17 @@ function aspectOf(view) {
   return (view.max[1] - view.min[1]) / (view.max[0] - view.min[0]);
 }
 
-function isStretched(view) {
-  return aspectOf(view) < 1 / LONGEST || aspectOf(view) > LONGEST;
+/** With one scale, would spheres in the highest view of this width be too small to be seen? */
+function isStretched(view, width) {
+  if (aspectOf(view) >= 1 / LONGEST && aspectOf(view) <= LONGEST) return false;
+  const scale = Math.min((width - 2 * MARGIN) / (view.max[0] - view.min[0]), (HIGHEST - 2 * MARGIN) / (view.max[1] - view.min[1]));
+  return Math.max(...view.radius) * scale < LEAST_RADIUS;
 }
 
 /** Height that suits the view at this width. */
 export function suitableHeight(view, width) {
-  const asked = isStretched(view) ? (aspectOf(view) < 1 ? 230 : 460) : (width - 2 * MARGIN) * aspectOf(view) + 2 * MARGIN;
-  return Math.round(Math.min(430, Math.max(170, asked)));
+  const asked = isStretched(view, width) ? (aspectOf(view) < 1 ? 230 : HIGHEST) : (width - 2 * MARGIN) * aspectOf(view) + 2 * MARGIN;
+  return Math.round(Math.min(HIGHEST, Math.max(170, asked)));
 }
 
 export function isEnlarged(view, map) {
