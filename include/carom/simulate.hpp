@@ -60,7 +60,7 @@ struct Observer {
 
 /// Work done, machine independent. A method leaves at 0 what it does not have.
 struct Counts {
-    std::int64_t impacts = 0;   ///< contacts that got an impulse, once per pair and instant
+    std::int64_t impacts = 0;   ///< contacts that got an impulse (an instant may have several impacts of a pair)
     std::int64_t clusters = 0;  ///< instants at which several contacts were resolved together
     std::int64_t capped = 0;    ///< of them, those whose operator met its bound: they were inelastic instead
     std::int64_t rests = 0, releases = 0, guarded = 0, settles = 0;

@@ -26,7 +26,9 @@ void add_rest_times(const Scene& scene, const Outcome& outcome, Lines& lines)
     for (std::size_t i = 0; i < outcome.rest_times.size(); ++i) {
         if (!outcome.rest_times[i]) continue;
         if (++listed > most) continue;
-        lines.push_back({"rest time", scene.spheres[i].id + " " + with_unit(*outcome.rest_times[i], scene.units.time)});
+        const bool slides = i < outcome.final.size() && outcome.final[i].mode == Mode::sliding;
+        lines.push_back({slides ? "slides since" : "rest time",
+                         scene.spheres[i].id + " " + with_unit(*outcome.rest_times[i], scene.units.time)});
     }
     if (listed > most) lines.push_back({"", fmt::format("and {} more", listed - most)});
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
@@ -24,6 +25,7 @@ std::string BodyPlaces::plane(std::size_t p) const
 namespace {
 
 constexpr double unit_tolerance = 1e-12;  // of |n|^2; rounding leaves 4e-16
+constexpr double largest_gap = 1e-2;      // of the smallest radius, of what thresholds may take for a contact
 
 class ValueRules {
 public:
@@ -95,10 +97,25 @@ private:
         if (scene_.rest.numeric_step) positive("/rest/numeric_step", *scene_.rest.numeric_step);
         not_negative("/rest/gap_tolerance", scene_.rest.gap_tolerance);
         not_negative("/rest/series_below", scene_.rest.series_below);
+        double radius = std::numeric_limits<double>::infinity();
+        for (const Sphere& s : scene_.spheres) radius = std::min(radius, s.radius);
+        if (!(radius > 0) || !std::isfinite(radius)) return;
+        const double gap = largest_gap * radius;
+        rule(!(scene_.rest.gap_tolerance > gap), "/rest/gap_tolerance",
+             "must be at most " + to_text(gap) +
+                 ", a hundredth of the smallest radius: contacts that are open are not "
+                 "closed");
+        const double rises = std::sqrt(2 * scene_.gravity.norm() * radius);
+        rule(!(rises > 0 && scene_.rest.closing_speed > rises), "/rest/closing_speed",
+             "must be at most " + to_text(rises) +
+                 ", which lifts the smallest sphere by its radius: slower impacts have "
+                 "no rebound");
     }
     void impact()
     {
         not_negative("/impact/tie", scene_.impact.tie);
+        rule(!(scene_.impact.tie > largest_gap), "/impact/tie",
+             "must be at most " + to_text(largest_gap) + " of a radius: contacts that are open do not close together");
         at_least_one("/impact/sweeps", scene_.impact.lcp.sweeps);
     }
     void guard()

@@ -43,6 +43,15 @@ TEST_CASE("a good scene breaks no rule", "[scene]")
 TEST_CASE("each rule on responses is checked", "[scene]")
 {
     CHECK_THAT(broken_by([](Scene& s) { s.impact.tie = -1e-12; }), StartsWith("/impact/tie: must be finite and >= 0"));
+    CHECK_THAT(broken_by([](Scene& s) { s.impact.tie = 0.011; }),
+               StartsWith("/impact/tie: must be at most 0.01 of a radius"));
+    CHECK_THAT(broken_by([](Scene& s) { s.rest.gap_tolerance = 0.011 * s.spheres[0].radius; }),
+               StartsWith("/rest/gap_tolerance: must be at most "));
+    CHECK_THAT(broken_by([](Scene& s) {
+                   s.gravity = {0, 0, -8};
+                   s.rest.closing_speed = 4.1 * std::sqrt(s.spheres[0].radius);
+               }),
+               StartsWith("/rest/closing_speed: must be at most "));
     CHECK_THAT(broken_by([](Scene& s) { s.impact.lcp.sweeps = 0; }), StartsWith("/impact/sweeps: must be at least 1"));
     CHECK_THAT(broken_by([](Scene& s) { s.guard.impacts = -3; }),
                StartsWith("/guard/impacts: must be at least 1, is -3"));
