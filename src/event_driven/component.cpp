@@ -4,6 +4,8 @@
 #include "event_driven/motion.hpp"
 #include "event_driven/piece.hpp"
 #include "event_driven/simultaneous.hpp"
+#include "math/disjoint_sets.hpp"
+#include "scene/pair_gap.hpp"
 #include "scene/sphere_grid.hpp"
 
 #include <algorithm>
@@ -15,9 +17,6 @@
 namespace carom {
 
 namespace {
-
-/// A gap within this fraction of the smaller radius is a contact that the scene declares.
-constexpr double declared = 1e-9;
 
 double smaller_radius(const State& state, BodyId a, BodyId b)
 {
@@ -170,7 +169,7 @@ std::vector<Touch> declared_contacts(const State& state)
         if (state.is_fixed(a)) continue;
         for (std::size_t p = 0; p < state.scene.planes.size(); ++p) {
             const Touch t = touch(state, a, state.flight(a), state.scene.plane_body(p), nullptr);
-            if (std::abs(t.gap) <= declared * state.radius(a)) found.push_back(t);
+            if (std::abs(t.gap) <= declared_contact * state.radius(a)) found.push_back(t);
         }
     }
     SphereGrid grid;
@@ -181,7 +180,7 @@ std::vector<Touch> declared_contacts(const State& state)
             if (state.is_fixed(a) && state.is_fixed(b)) return true;
             if (state.is_fixed(a)) std::swap(a, b);
             const Touch t = touch(state, a, state.flight(a), b, &state.flight(b));
-            if (std::abs(t.gap) <= declared * smaller_radius(state, a, b)) found.push_back(t);
+            if (std::abs(t.gap) <= declared_contact * smaller_radius(state, a, b)) found.push_back(t);
             return true;
         });
         grid.insert(i, state.scene.spheres[i].position, state.radii[i]);
@@ -189,28 +188,6 @@ std::vector<Touch> declared_contacts(const State& state)
     for (Touch& t : found) t.persistent = true;
     std::sort(found.begin(), found.end(), comes_first);
     return found;
-}
-
-/// Each body that can move, with the number of its component: the smallest body in it.
-std::vector<BodyId> smallest_of_component(const State& state, const std::vector<Touch>& contacts)
-{
-    std::vector<BodyId> parent(static_cast<std::size_t>(state.count()));
-    for (BodyId i = 0; i < state.count(); ++i) parent[static_cast<std::size_t>(i)] = i;
-    const auto root = [&](BodyId i) {
-        while (parent[static_cast<std::size_t>(i)] != i) {
-            BodyId& up = parent[static_cast<std::size_t>(i)];
-            up = parent[static_cast<std::size_t>(up)];
-            i = up;
-        }
-        return i;
-    };
-    for (const Touch& t : contacts) {
-        if (state.is_plane(t.b) || state.is_fixed(t.b)) continue;
-        const BodyId x = root(t.a), y = root(t.b);
-        parent[static_cast<std::size_t>(std::max(x, y))] = std::min(x, y);
-    }
-    for (BodyId i = 0; i < state.count(); ++i) parent[static_cast<std::size_t>(i)] = root(i);
-    return parent;
 }
 
 }  // namespace
@@ -223,7 +200,7 @@ int ContactComponent::index_of(BodyId body) const
 
 double persistence_gap(const State& state, BodyId a, BodyId b)
 {
-    return std::max(state.rest.gap_tolerance, declared * smaller_radius(state, a, b));
+    return std::max(state.rest.gap_tolerance, declared_contact * smaller_radius(state, a, b));
 }
 
 ContactComponent gather(const State& state, const Key& contact, const Neighbourhood& neighbourhood)
@@ -235,11 +212,14 @@ std::vector<ContactComponent> declared_components(const State& state)
 {
     const std::vector<Touch> contacts = declared_contacts(state);
     if (contacts.empty()) return {};
-    const std::vector<BodyId> number = smallest_of_component(state, contacts);
-    std::map<BodyId, ContactComponent> found;
-    for (const Touch& t : contacts) found[number[static_cast<std::size_t>(t.a)]].contacts.push_back(t);
+    DisjointSets sets(static_cast<std::size_t>(state.count()));
+    for (const Touch& t : contacts)
+        if (!state.is_plane(t.b) && !state.is_fixed(t.b))
+            sets.join(static_cast<std::size_t>(t.a), static_cast<std::size_t>(t.b));
+    std::map<std::size_t, ContactComponent> found;  // by their smallest bodies
+    for (const Touch& t : contacts) found[sets.smallest(static_cast<std::size_t>(t.a))].contacts.push_back(t);
     for (BodyId i = 0; i < state.count(); ++i) {
-        const auto its = found.find(number[static_cast<std::size_t>(i)]);
+        const auto its = found.find(sets.smallest(static_cast<std::size_t>(i)));
         if (its == found.end() || state.is_fixed(i)) continue;
         its->second.bodies.push_back(i);
         its->second.flights.push_back(state.flight(i));

@@ -4,6 +4,7 @@
 #include "impact/cluster_problem.hpp"
 #include "impact/contact_forces.hpp"
 #include "impact/operators.hpp"
+#include "math/disjoint_sets.hpp"
 #include "math/error_free.hpp"
 #include "math/length.hpp"
 
@@ -15,7 +16,7 @@ namespace carom {
 
 namespace {
 
-double largest_speed(const ContactComponent& component)
+double fastest(const ContactComponent& component)
 {
     double largest = 0;
     for (const Flight& f : component.flights) largest = std::max(largest, f.velocity.squaredNorm());
@@ -29,7 +30,7 @@ Persistence::Persistence(const State& state, ContactComponent component)
       component_(std::move(component)),
       links_(cluster_of(state, component_).contacts),
       gravity_(state.accelerations[state.accelerations.free()]),
-      slow_(std::max(1e-6 * state.rest.closing_speed, 1e-12 * largest_speed(component_))),
+      slow_(std::max(1e-6 * state.rest.closing_speed, 1e-12 * fastest(component_))),
       soft_(1e-9 * length(gravity_)),
       released_(component_.contacts.size(), 0),
       impulses_(component_.contacts.size(), 0)
@@ -227,7 +228,7 @@ double Persistence::softest(std::size_t contact) const
 /// height of a slow rebound it may go on to close.
 void Persistence::push_apart(std::vector<char> opens)
 {
-    const double enough = 8 * unit_roundoff * std::max(largest_speed(component_), slow_);
+    const double enough = 8 * unit_roundoff * std::max(fastest(component_), slow_);
     std::vector<char> left(count(), 0);
     for (bool goes_on = true; goes_on;) {
         const std::vector<Flight> flights = component_.flights;
@@ -346,20 +347,13 @@ void Persistence::hold_pressed()
 std::vector<std::vector<std::size_t>> Persistence::parts() const
 {
     const std::size_t n = component_.bodies.size();
-    std::vector<std::size_t> smallest(n);
-    for (std::size_t k = 0; k < n; ++k) smallest[k] = k;
-    const auto root = [&](std::size_t k) {
-        while (smallest[k] != k) k = smallest[k] = smallest[smallest[k]];
-        return k;
-    };
-    for (std::size_t i = 0; i < count(); ++i) {
-        if (!persists_[i] || b(i) == immovable) continue;
-        const std::size_t x = root(static_cast<std::size_t>(a(i))), y = root(static_cast<std::size_t>(b(i)));
-        smallest[std::max(x, y)] = std::min(x, y);
-    }
-    std::vector<std::vector<std::size_t>> out, by_root(n);
-    for (std::size_t k = 0; k < n; ++k) by_root[root(k)].push_back(k);
-    for (auto& part : by_root)
+    DisjointSets sets(n);
+    for (std::size_t i = 0; i < count(); ++i)
+        if (persists_[i] && b(i) != immovable)
+            sets.join(static_cast<std::size_t>(a(i)), static_cast<std::size_t>(b(i)));
+    std::vector<std::vector<std::size_t>> out, by_smallest(n);
+    for (std::size_t k = 0; k < n; ++k) by_smallest[sets.smallest(k)].push_back(k);
+    for (auto& part : by_smallest)
         if (!part.empty()) out.push_back(std::move(part));
     return out;
 }

@@ -15,13 +15,6 @@ namespace {
 /// Of the largest speed: impulses that change speeds by less are what rounding leaves of none.
 constexpr double rounding = 1e-13;
 
-std::vector<Vec3> velocities_of(const Cluster& cluster)
-{
-    std::vector<Vec3> out;
-    for (const ClusterBody& body : cluster.bodies) out.push_back(body.velocity);
-    return out;
-}
-
 std::vector<Vec3> velocities_of(const ContactComponent& component)
 {
     std::vector<Vec3> out;
@@ -33,7 +26,7 @@ std::vector<Vec3> velocities_of(const ContactComponent& component)
 /// otherwise for those that closed a moment ago. Never where all e = 1. \returns whether something was made inelastic
 bool apply_policy(const State& state, const ContactComponent& component, const EpochTime& now, Cluster& cluster)
 {
-    const std::vector<Vec3> velocities = velocities_of(cluster);
+    const std::vector<Vec3> velocities = velocities_before(cluster);
     if (state.scene.rest.policy == RestPolicy::micro)
         for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
             const Touch& t = component.contacts[i];
@@ -107,7 +100,7 @@ private:
     void collide()
     {
         Cluster cluster = cluster_of(state_, component_);
-        const std::vector<Vec3> before = velocities_of(cluster);
+        const std::vector<Vec3> before = velocities_before(cluster);
         speed_ = largest_speed(before);
         const auto closes = [&](const ClusterContact& c) { return closing_rate(c, before) < -slow(speed_); };
         if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), closes)) return;

@@ -2,6 +2,7 @@
 
 #include "event_driven/motion.hpp"
 #include "math/error_free.hpp"
+#include "scene/pair_gap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,12 +66,11 @@ Event release_event(const State& state, BodyId body, const Flight& before)
 
 std::vector<Change> initial_contacts(const State& state)
 {
-    constexpr double declared = 1e-9;  // a gap within this fraction of the radius is a contact
     std::vector<Change> changes;
     for (BodyId id = 0; id < state.count(); ++id)
         for (int p = 0; p < static_cast<int>(state.scene.planes.size()); ++p) {
             Flight f = state.flight(id);
-            if (std::abs(height_above(state, id, p, f.place)) > declared * state.radius(id)) continue;
+            if (std::abs(height_above(state, id, p, f.place)) > declared_contact * state.radius(id)) continue;
             const Vec3 normal = facing_normal(state, p, f.place);
             const double gravity = -normal.dot(state.accelerations[f.acceleration]);
             const double w = normal.dot(f.velocity);

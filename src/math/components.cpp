@@ -1,54 +1,27 @@
 #include "math/components.hpp"
 
+#include "math/disjoint_sets.hpp"
+
 #include <algorithm>
-#include <numeric>
 
 namespace carom {
-
-namespace {
-
-/// Disjoint sets with halved paths.
-class Sets {
-public:
-    explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-    int root(int x)
-    {
-        while (parent(x) != x) {
-            parent(x) = parent(parent(x));
-            x = parent(x);
-        }
-        return x;
-    }
-    void join(int x, int y)
-    {
-        const int p = root(x), q = root(y);
-        parent(std::max(p, q)) = std::min(p, q);
-    }
-
-private:
-    int& parent(int x) { return parent_[static_cast<std::size_t>(x)]; }
-    std::vector<int> parent_;
-};
-
-}  // namespace
 
 std::vector<Component> components(std::span<const HalfSpace> half_spaces, std::span<const int> chosen,
                                   std::size_t vectors)
 {
-    Sets sets(vectors);
+    DisjointSets sets(vectors);
     std::vector<char> concerned(vectors, 0);
     for (const int i : chosen) {
         const HalfSpace& h = half_spaces[static_cast<std::size_t>(i)];
         concerned[static_cast<std::size_t>(h.a)] = 1;
         if (h.b < 0) continue;
         concerned[static_cast<std::size_t>(h.b)] = 1;
-        sets.join(h.a, h.b);
+        sets.join(static_cast<std::size_t>(h.a), static_cast<std::size_t>(h.b));
     }
     std::vector<int> number(vectors, -1);
     std::vector<Component> out;
     for (const int i : chosen) {
-        int& mine = number[static_cast<std::size_t>(sets.root(half_spaces[static_cast<std::size_t>(i)].a))];
+        int& mine = number[sets.smallest(static_cast<std::size_t>(half_spaces[static_cast<std::size_t>(i)].a))];
         if (mine < 0) {
             mine = static_cast<int>(out.size());
             out.emplace_back();
@@ -57,8 +30,7 @@ std::vector<Component> components(std::span<const HalfSpace> half_spaces, std::s
     }
     for (std::size_t k = 0; k < vectors; ++k)
         if (concerned[k])
-            out[static_cast<std::size_t>(number[static_cast<std::size_t>(sets.root(static_cast<int>(k)))])]
-                .vectors.push_back(static_cast<int>(k));
+            out[static_cast<std::size_t>(number[sets.smallest(k)])].vectors.push_back(static_cast<int>(k));
     return out;
 }
 

@@ -10,7 +10,6 @@ namespace carom {
 
 namespace {
 
-constexpr double contact_tolerance = 1e-9;  // gaps within this fraction of the radius are declared contacts
 constexpr std::size_t most_lines = 20;
 constexpr std::size_t most_counted = 10'000;  // a pile at one point would have N^2/2 of them
 
@@ -29,7 +28,7 @@ std::vector<Overlap> overlapping_spheres(const std::vector<Sphere>& spheres)
         const Sphere& s = spheres[i];
         grid.visit_near(s.position, s.radius, [&](std::size_t j) {
             const double gap = sphere_gap(s.position, s.radius, spheres[j].position, spheres[j].radius);
-            if (gap < -contact_tolerance * s.radius) found.push_back({std::min(i, j), std::max(i, j), -gap});
+            if (gap < -declared_contact * s.radius) found.push_back({std::min(i, j), std::max(i, j), -gap});
             return found.size() < most_counted;
         });
         if (found.size() >= most_counted) break;
@@ -59,7 +58,7 @@ std::vector<Overlap> overlapping_planes(const Scene& scene)
             const Sphere& s = scene.spheres[i];
             if (centre_inside(scene.planes[p], s)) continue;  // an error of its own
             const double gap = plane_gap(scene.planes[p], s, s.position);
-            if (gap < -contact_tolerance * s.radius) found.push_back({i, p, -gap});
+            if (gap < -declared_contact * s.radius) found.push_back({i, p, -gap});
         }
     return found;
 }

@@ -7,6 +7,9 @@
 
 namespace carom {
 
+/// A gap within this fraction of the smaller radius is a contact that the scene declares.
+inline constexpr double declared_contact = 1e-9;
+
 /// Signed distance of two spheres' surfaces [length]; right for lengths of any size.
 inline double sphere_gap(const Vec3& p, double r, const Vec3& q, double s)
 {
