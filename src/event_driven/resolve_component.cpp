@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace carom {
 
@@ -123,11 +124,13 @@ private:
     void drop_what_goes_on(const std::vector<Flight>& before, std::vector<MemberChange>& changes, const Key* key) const
     {
         if (key == nullptr) return;
+        std::unordered_set<BodyId> named;
+        for (const Event& event : out_.events) named.insert({event.a, event.b});
         std::vector<char> drops;
         int of_key = 0, dropped_of_key = 0;
         const auto is_of_key = [&](const MemberChange& c) { return c.body == key->a || c.body == key->b; };
         for (std::size_t k = 0; k < before.size(); ++k) {
-            drops.push_back(goes_on(changes[k], before[k]));
+            drops.push_back(!named.contains(changes[k].body) && goes_on(changes[k], before[k]));
             if (!is_of_key(changes[k])) continue;
             ++of_key;
             dropped_of_key += drops[k];
@@ -139,8 +142,6 @@ private:
 
     bool goes_on(const MemberChange& change, const Flight& before) const
     {
-        const auto is_named = [&](const Event& event) { return event.a == change.body || event.b == change.body; };
-        if (std::any_of(out_.events.begin(), out_.events.end(), is_named)) return false;
         const Flight &old = state_.flight(change.body), &next = change.flight;
         const bool simple = old.support != several_supports && (old.mode == Mode::flying || old.mode == Mode::sliding);
         return simple && old.mode == next.mode && old.support == next.support &&
