@@ -45,8 +45,8 @@ struct RecordedRun {
     std::vector<Plane> planes;          ///< ids are not needed
     std::vector<RecordedSphere> spheres;
     double closing_speed = 0;           ///< v_c: where some e < 1, slower impacts may be inelastic, >= 0 [length/time]
-    /// tau_p: so may those of contacts that closed less than this ago, >= 0. 0: slower impacts may be elastic, as the
-    /// rest policy micro has them [time]
+    /// tau_p: so may those of contacts that closed less than this ago, >= 0. 0: slower impacts are elastic, as the rest
+    /// policy micro has them (another policy without such a time says the least positive number) [time]
     double window = 0;
     std::vector<RecordedStart> starts;  ///< by sphere; gone after FlightSource::forget_starts
     /// The run claims flights in double-double: gap >= min(0, initial gap) exactly. Otherwise gap >= -16 eps max(r1 +

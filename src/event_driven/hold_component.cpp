@@ -133,22 +133,10 @@ private:
 
     void fly(std::size_t k)
     {
-        if (state_.flight(component().bodies[k]).mode == Mode::numeric) leave_planes(k);
         Flight& f = change_of(k).flight;
         f.acceleration = state_.accelerations.free();
         f.support = -1;
         f.mode = Mode::flying;
-    }
-
-    /// See close_gaps: nobody takes an overlap with a plane along.
-    void leave_planes(std::size_t k)
-    {
-        const BodyId body = component().bodies[k];
-        const auto& contacts = component().contacts;
-        auto t = std::lower_bound(contacts.begin(), contacts.end(), body,
-                                  [](const Touch& x, BodyId id) { return x.a < id; });
-        for (; t != contacts.end() && t->a == body; ++t)
-            if (state_.is_plane(t->b) && t->gap < 0) shift_[k] -= t->gap * t->normal;
     }
 
     void lean(std::size_t k, const Touch& t)

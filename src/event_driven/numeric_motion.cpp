@@ -7,13 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 
 namespace {
 
-/// Of g_tol: see NumericCluster. A ball that rolls off another one as gravity has it needs 10, in a step of h.
-constexpr double agreement = 300;
+/// Of the smallest radius: see NumericCluster. A ball that rolls off another one as gravity has it needs 1e-8, in a
+/// step of h.
+constexpr double agreement = 3e-7;
 
 /// Contact of body number `a` with number `b` or what does not move; places relative to `centre`.
 NumericContact numeric_contact(const State& state, const NumericPart& part, const NumericPart::Contact& contact,
@@ -133,7 +135,9 @@ NumericMotion numeric_motion(const State& state, const NumericPart& part, const 
     auto cluster = std::make_shared<NumericCluster>();
     cluster->gravity = state.accelerations[state.accelerations.free()];
     cluster->opening = opening;
-    cluster->agreement = agreement * state.rest.gap_tolerance;
+    double radius = std::numeric_limits<double>::infinity();
+    for (const NumericPart::Body& body : part.bodies) radius = std::min(radius, state.radius(body.id));
+    cluster->agreement = agreement * radius;
     for (const NumericPart::Body& body : part.bodies)
         cluster->bodies.push_back(
             {separation(state.frame, body.flight.place, centre), body.flight.velocity, state.inverse_mass(body.id)});

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace carom {
 
@@ -57,7 +58,8 @@ public:
     {
         const Bytes document = bytes_of_text(scene_json_without_spheres(scene_));
         const RestThresholds rest = rest_thresholds(scene_);
-        const double window = scene_.rest.policy == RestPolicy::micro ? 0 : rest.window;
+        const double least = std::numeric_limits<double>::min();  // 0 means policy micro
+        const double window = scene_.rest.policy == RestPolicy::micro ? 0 : std::max(least, rest.window);
         const FrameRow row{
             frame.epoch_length, frame.cell_size, bytes_of(std::span(&scene_.gravity, 1)), bytes_of(frame.accelerations),
             rest.closing_speed, window};

@@ -1,5 +1,6 @@
 #include "scene/validate.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,6 +46,8 @@ public:
         guard();
         for (std::size_t i = 0; i < scene_.spheres.size(); ++i) sphere(places_.sphere(i), scene_.spheres[i]);
         for (std::size_t p = 0; p < scene_.planes.size(); ++p) plane(places_.plane(p), scene_.planes[p]);
+        for (std::size_t p = 0; p < scene_.planes.size(); ++p)
+            for (std::size_t q = 0; q < p; ++q) wedge(p, scene_.planes[q]);
         for (std::size_t k = 0; k < scene_.checks.size(); ++k) check("/checks/" + std::to_string(k), scene_.checks[k]);
         return std::move(lines_);
     }
@@ -138,6 +141,16 @@ private:
         rule(std::isfinite(p.offset), place + "/offset", "must be finite");
         not_negative(place + "/thickness", p.thickness);
         material_index(place + "/material", p.material);
+    }
+    /// Contacts whose normals are that close count as dependent: a wedge would be none.
+    void wedge(std::size_t p, const Plane& other)
+    {
+        constexpr double rounding = 1e-15, narrowest = 2e-7;
+        const double angle = scene_.planes[p].normal.cross(other.normal).norm();
+        rule(!(angle > rounding && angle < narrowest), places_.plane(p) + "/normal",
+             "is parallel to plane \"" + other.id + "\" to within " + to_text(angle) +
+                 ", but not exactly (take its normal with more digits, or an angle of at least " + to_text(narrowest) +
+                 ")");
     }
     void check(const std::string& place, const Check& c)
     {

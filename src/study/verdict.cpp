@@ -81,13 +81,15 @@ std::string reference_sentence(const VerdictWords& words)
            ": errors and impacts are counted up to there.";
 }
 
+/// The reference ends before the first sample after the start.
 bool measures_nothing(const Comparison& comparison)
 {
+    const ReferenceSummary& reference = comparison.reference;
+    if (!(reference.until < comparison.until) || reference.sample_times.size() > 1) return false;
     return std::none_of(comparison.rows.begin(), comparison.rows.end(),
                         [](const CompareRow& row) { return verdict_error(row).has_value(); });
 }
 
-/// Where the reference ends at the start.
 std::vector<std::string> verdict_without_reference(const Scene& scene, const VerdictWords& words)
 {
     const ReferenceSummary& reference = words.comparison().reference;
@@ -112,8 +114,7 @@ std::vector<std::string> verdict(const Scene& scene, const Comparison& compariso
 {
     if (comparison.rows.empty()) return {"No run was finished, so there is no verdict."};
     const VerdictWords words(scene, comparison);
-    if (comparison.reference.until < comparison.until && measures_nothing(comparison))
-        return verdict_without_reference(scene, words);
+    if (measures_nothing(comparison)) return verdict_without_reference(scene, words);
     std::vector<std::string> result{first_sentence(words)};
     if (comparison.reference.until < comparison.until) result.push_back(reference_sentence(words));
     if (words.event() != nullptr && words.event()->divergence_time) result.push_back(chaos_sentence(words));

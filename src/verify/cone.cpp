@@ -8,8 +8,10 @@ namespace carom::verification {
 namespace {
 
 constexpr std::size_t most = 48;
-/// Normals are known to this: of jammed bodies, multiples may be large.
+/// Normals are known to this: of jammed bodies, multiples may be large,
 constexpr double known = 16 * 0x1p-53;
+/// but not so large that any direction is as good as another.
+constexpr double largest = 2e7;
 
 /// What is left of v after the best multiple >= 0 of n.
 Vec3 beside(const Vec3& n, const Vec3& v)
@@ -24,7 +26,7 @@ bool in_two(const Vec3& n, const Vec3& m, const Vec3& v, double slack)
     const double det = across.squaredNorm();
     if (!(det > 0)) return false;
     const double x = v.cross(m).dot(across) / det, y = n.cross(v).dot(across) / det;
-    return x >= 0 && y >= 0 && (v - x * n - y * m).norm() <= slack + known * (x + y);
+    return x >= 0 && y >= 0 && x + y <= largest * v.norm() && (v - x * n - y * m).norm() <= slack + known * (x + y);
 }
 
 bool in_three(const Vec3& n, const Vec3& m, const Vec3& l, const Vec3& v, double slack)
@@ -32,7 +34,8 @@ bool in_three(const Vec3& n, const Vec3& m, const Vec3& l, const Vec3& v, double
     const double det = n.dot(m.cross(l));
     if (det == 0) return false;
     const double x = v.dot(m.cross(l)) / det, y = n.dot(v.cross(l)) / det, z = n.dot(m.cross(v)) / det;
-    return x >= 0 && y >= 0 && z >= 0 && (v - x * n - y * m - z * l).norm() <= slack + known * (x + y + z);
+    return x >= 0 && y >= 0 && z >= 0 && x + y + z <= largest * v.norm() &&
+           (v - x * n - y * m - z * l).norm() <= slack + known * (x + y + z);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ private:
     double check_law(const Event& event, const Vec3& normal, const Group& group);
     bool may_be_inelastic(const Event& event, double closing) const;
     bool closed_a_moment_ago(const Event& event) const;
-    bool is_between(BodyId body);
+    bool is_jammed(BodyId body, const Vec3& push);
     void remember(const Event& event);
     void add_up(const Before& b);
     void check_group(const Group& group, const Event* alone);

@@ -136,7 +136,7 @@ void Coverage::check_support(BodyId body, const EpochTime& now, Edge edge)
                             body);
 }
 
-std::vector<Vec3> Coverage::closed_normals(BodyId body, const EpochTime& now)
+std::vector<Vec3> Coverage::closed_normals(BodyId body, const EpochTime& now, double gap)
 {
     const Path path = flights_.path(body);
     const Vec3 acceleration = data_.acceleration(path);
@@ -146,14 +146,14 @@ std::vector<Vec3> Coverage::closed_normals(BodyId body, const EpochTime& now)
         const Path theirs = flights_.path(other);
         const Vec3 r = rounded(relative<double>(path, acceleration, theirs, data_.acceleration(theirs), now).r);
         const double reach = radius + data_.radius(other), distance = r.norm();
-        if (std::abs(distance - reach) <= contact_slack * std::min(radius, data_.radius(other)))
+        if (std::abs(distance - reach) <= gap + contact_slack * std::min(radius, data_.radius(other)))
             out.push_back(r / distance);
     });
     for (int p = 0; p < data_.planes(); ++p) {
         const Wall& wall = data_.wall(p);
         const double side = side_of(wall, path);
         const WallSegment s{path, acceleration, wall, side, now, now, radius, nullptr};
-        if (std::abs(height(s, now).high) <= contact_slack * radius) out.push_back(side * wall.normal);
+        if (std::abs(height(s, now).high) <= gap + contact_slack * radius) out.push_back(side * wall.normal);
     }
     return out;
 }

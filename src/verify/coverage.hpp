@@ -33,8 +33,9 @@ public:
     enum class Edge { begins, ends };
     void check_support(BodyId body, const EpochTime& now, Edge edge);
     bool was_numeric(BodyId body) const { return gaps_.was_numeric(body); }
-    /// Of all contacts that are closed now, towards the body, whose series is over; of others on their present flights.
-    std::vector<Vec3> closed_normals(BodyId body, const EpochTime& now);
+    /// Of all contacts that are closed now, or open by no more than a gap [cells], towards the body, whose series is
+    /// over; of others on their present flights.
+    std::vector<Vec3> closed_normals(BodyId body, const EpochTime& now, double gap = 0);
 
 private:
     /// From `from`, or from the later start of the two, if that is later.

@@ -171,7 +171,9 @@ void Gaps::support(BodyId body, const Path& path, int p, const EpochTime& to)
     WallSegment segment{path, acceleration, wall, side_of(wall, path), path.start, to, radius, nullptr};
     if (is_held(path)) {
         const double distance = largest_distance(segment);
-        if (distance > contact_slack * radius)
+        if (was_numeric(body) && distance <= deepest_numeric * radius && height(segment, path.start).high < 0)
+            Findings::keep_largest(findings_.out.numeric_depth, distance * data_.units.length);
+        else if (distance > contact_slack * radius)
             findings_.violation(
                 pair_text(data_, body, partner) + " are not in contact, gap " + figure(distance * data_.units.length),
                 to, body, partner);

@@ -21,6 +21,9 @@ struct RunData {
     double window = 0;         ///< tau_p [epochs]
     bool is_lossy = false;     ///< e < 1 somewhere
 
+    /// The rest policy micro: bounces below closing_speed are elastic, and nothing else.
+    bool is_micro() const { return window == 0 && closing_speed > 0; }
+
     BodyId spheres() const { return static_cast<BodyId>(run.spheres.size()); }
     BodyId planes() const { return static_cast<BodyId>(walls.size()); }
     double radius(BodyId body) const { return sphere(body).radius / units.length; }  ///< [cells]

@@ -22,7 +22,7 @@ inline RecordedRun described(const Scene& scene)
     run.planes = scene.planes;
     const RestThresholds rest = rest_thresholds(scene);
     run.closing_speed = rest.closing_speed;
-    run.window = scene.rest.policy == RestPolicy::micro ? 0 : rest.window;
+    run.window = scene.rest.policy == RestPolicy::micro ? 0 : std::max(std::numeric_limits<double>::min(), rest.window);
     for (const Sphere& s : scene.spheres) {
         run.spheres.push_back({s.radius, s.mass, s.material, s.fixed});
         run.starts.push_back({s.position, s.velocity});

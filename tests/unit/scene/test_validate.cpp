@@ -58,6 +58,26 @@ TEST_CASE("each rule on responses is checked", "[scene]")
     CHECK_THAT(broken_by([](Scene& s) { s.guard.window = 0; }), StartsWith("/guard/window: must be finite and > 0"));
 }
 
+TEST_CASE("planes are parallel or make an angle", "[scene]")
+{
+    const auto with = [](double angle, double sign) {
+        return [=](Scene& s) {
+            s.planes = {{"floor", Vec3::UnitZ(), -10, {}, 0},
+                        {"other", sign * Vec3(std::sin(angle), 0, std::cos(angle)), -10, {}, 0}};
+        };
+    };
+    for (const double sign : {1.0, -1.0}) {
+        for (const double angle : {0.0, 1e-16, 1e-6, 1.0}) {
+            Scene s = one_ball();
+            with(angle, sign)(s);
+            CHECK(validate(s).empty());
+        }
+        for (const double angle : {1e-14, 1e-7})
+            CHECK_THAT(broken_by(with(angle, sign)),
+                       StartsWith("/planes/1/normal: is parallel to plane \"floor\" to within "));
+    }
+}
+
 TEST_CASE("each rule on values is checked", "[scene]")
 {
     constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();

@@ -56,6 +56,39 @@ TEST_CASE("who touches others may be jammed; who does not rebounds", "[verify]")
     CHECK(!examined(run).holds());
 }
 
+TEST_CASE("a table that both lie on is in nobody's way", "[verify]")
+{
+    Scene scene = empty_scene(1, {0, 0, -10}, 0.5);
+    add_floor(scene);
+    add_sphere(scene, 0.125, {0, 0, 0.125}, {1, 0, 0});
+    add_sphere(scene, 0.125, {0.5, 0, 0.125});
+    MemorySource run = recorded(scene);
+    CHECK(examined(run).holds());
+    run.description.materials[0].restitution = 0.8;
+    CHECK(!examined(run).holds());
+}
+
+TEST_CASE("nobody hovers on contacts across gravity", "[verify]")
+{
+    // Between two fixed spheres, in any direction; then the floor is taken away.
+    carom::test::Random random(3);
+    for (int n = 0; n < 50; ++n) {
+        Scene scene = empty_scene(1, {0, 0, -10}, 0.5);
+        add_floor(scene);
+        add_sphere(scene, 0.125, {0, 0, 0.125});
+        const Vec3 across = random.across(Vec3::UnitZ()) / 4;
+        for (const double side : {-1, 1}) {
+            add_sphere(scene, 0.125, Vec3(0, 0, 0.125) + side * across);
+            scene.spheres.back().fixed = true;
+        }
+        MemorySource run = recorded(scene);
+        CAPTURE(n);
+        CHECK(examined(run).holds());
+        run.description.planes[0].offset = -100;
+        CHECK(!examined(run).holds());
+    }
+}
+
 TEST_CASE("a contact that closes together with another one needs no impulse of its own", "[verify]")
 {
     // Past three balls it falls to the floor, and touches all of them at that instant.
