@@ -261,7 +261,7 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
 /// Is something in the way of a sphere that is pushed so?
 bool ContactAudit::is_jammed(BodyId body, const Vec3& push)
 {
-    constexpr double against = -1e-6;  // narrow wedges take many rounds of an operator, which then meets its bound
+    constexpr double against = -1e-8;  // narrow wedges take many rounds of an operator, which then meets its bound
     if (body >= data_.spheres()) return false;
     const double rebound = data_.is_lossy ? data_.closing_speed * data_.window / 4 : 0;
     const std::vector<Vec3> normals = coverage_.closed_normals(body, bodies_->now(), rebound);
