@@ -10,13 +10,13 @@ namespace carom {
 namespace {
 
 /// A unit normal whose part off the active ones is shorter than this depends on them. Directions that are nearly
-/// dependent are known to rounding / length only: where 1e-8 is let in, the next dependent one looks independent. (A
-/// mass ratio of 1e9 makes 3e-5. A wedge of spheres of like size that is so narrow is passed with an overlap of 1e-14 of
+/// dependent are known to rounding / length only: of less than this, the next dependent one looks independent. (A
+/// mass ratio of 1e9 makes 3e-5. A wedge of spheres of like size that is so narrow is passed with an overlap of 1e-15 of
 /// their radii; planes make none: see carom::validate.)
-constexpr double dependent = 1e-7;
+constexpr double dependent = 2e-8;
 /// In tolerances, which are 1e-13 of the sizes that occur: what a normal that depends on active ones may miss without
 /// being in conflict with them.
-constexpr double missed_by_dependent = 2e6;
+constexpr double missed_by_dependent = 4e5;
 /// The same, in tolerances of units.
 constexpr double rounding_of_dependent = 1e4;
 constexpr int refinements = 2;

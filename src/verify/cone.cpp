@@ -11,7 +11,7 @@ constexpr std::size_t most = 48;
 /// Normals are known to this: of jammed bodies, multiples may be large,
 constexpr double known = 16 * 0x1p-53;
 /// but not so large that any direction is as good as another.
-constexpr double largest = 1e8;
+constexpr double largest = 1e9;
 
 /// What is left of v after the best multiple >= 0 of n.
 Vec3 beside(const Vec3& n, const Vec3& v)

@@ -11,8 +11,8 @@ namespace {
 /// Of the speeds of the bodies that impulses connect: what a solver may leave.
 constexpr double solved = 1e-9;
 /// Of them, too: how fast bodies that are jammed may still close, those of a wedge whose sides are parallel to within
-/// 1e-7. (If they are of like size they pass through with an overlap of 1e-14 of their radii.)
-constexpr double jammed = 2e-7;
+/// 2e-8. (If they are of like size they pass through with an overlap of 1e-15 of their radii.)
+constexpr double jammed = 1e-7;
 
 bool is_push(const Event& event)
 {

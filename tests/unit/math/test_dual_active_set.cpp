@@ -34,7 +34,7 @@ TEST_CASE("A wedge that is so narrow that its tip lies too far away counts as co
 
 TEST_CASE("A wedge that is narrower than rounding tells is none, and hinders nothing else")
 {
-    for (const double slope : {1e-3, 1e-6, 1e-8, 1e-10, 0.0}) {
+    for (const double slope : {1e-3, 1e-6, 1e-7, 1e-9, 1e-10, 0.0}) {
         const ProjectionProblem problem{{Vec3(0, -1, -1)},
                                         {1},
                                         {{0, -1, Vec3(1, slope, 0).normalized(), 0},
@@ -47,7 +47,7 @@ TEST_CASE("A wedge that is narrower than rounding tells is none, and hinders not
         CHECK(solved.projection.complete);
         const Vec3& point = solved.projection.point.front();
         CHECK(point.x() == Approx(0).margin(1e-7));
-        CHECK(point.y() == Approx(slope > 1e-7 ? 0 : -1).margin(1e-7));
+        CHECK(point.y() == Approx(slope > 1e-8 ? 0 : -1).margin(1e-7));
         CHECK(point.z() == Approx(0).margin(2e-7));
     }
 }
