@@ -10,9 +10,6 @@ namespace {
 
 /// Of the speeds of the bodies that impulses connect: what a solver may leave.
 constexpr double solved = 1e-9;
-/// Of them, too: how fast bodies that are jammed may still close, those of a wedge whose sides are parallel to within
-/// 2e-8. (If they are of like size they pass through with an overlap of 1e-15 of their radii.)
-constexpr double jammed = 1e-7;
 
 bool is_push(const Event& event)
 {
@@ -173,7 +170,7 @@ void ContactAudit::check_impulse(const Event& event, const Geometry& at, const G
     const double w = n.dot(bodies_->speed_before(event.a) - bodies_->speed_before(event.b));
     const double after = n.dot(bodies_->speed_after(event.a) - bodies_->speed_after(event.b));
     const double strict = 64 * u * bodies_->speeds() * (1 + at.shake);
-    const double slack = group.coupled ? strict + jammed * bodies_->speeds() + bodies_->settling() : strict;
+    const double slack = group.coupled ? strict + solved * bodies_->speeds() + bodies_->settling() : strict;
     if (!group.coupled && !group.loose && !event.impulse.isZero(0) && !(w <= slack))
         fail(who + " is pushed though it was not closing", event.a, event.b);
     // Open by the height of a slow rebound, a contact may go on to close where jammed bodies are in its way.

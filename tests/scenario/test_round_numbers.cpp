@@ -201,7 +201,7 @@ TEST_CASE("scenes that were hard for an engine of an earlier day hold", "[round]
         }
 }
 
-// Of 10,000 some three are refused: contacts open by a slow rebound that go on to close.
+// Of 10,000 some five are refused: mostly contacts open by a slow rebound that go on to close.
 TEST_CASE("so do thirty times as many", "[.round-long]")
 {
     check_all(1001, 30);
