@@ -34,7 +34,7 @@ void ContactAudit::check(InstantBodies& bodies, std::span<const Event> events)
     events_ = events;
     several_ = std::count_if(events.begin(), events.end(),
                              [](const Event& event) { return event.kind == EventKind::impact; }) > 1;
-    largest_restitution_ = 0;
+    largest_restitution_ = data_.is_micro() ? 1 : 0;
     if (several_)
         for (const Event& event : events)
             if (event.kind == EventKind::impact)

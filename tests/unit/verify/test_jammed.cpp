@@ -32,6 +32,13 @@ TEST_CASE("bounces below the minimal speed of the policy micro are elastic, and 
     CHECK(held.holds());
     micro.description.window = rest_thresholds(drop()).window;
     CHECK(!examined(micro).holds());
+    // Nor may micro lose what the others do.
+    Scene plain = drop();
+    plain.rest.closing_speed = 0.5;
+    MemorySource other = recorded(plain);
+    CHECK(examined(other).holds());
+    other.description.window = 0;
+    CHECK(!examined(other).holds());
 }
 
 TEST_CASE("who touches others may be jammed; who does not rebounds", "[verify]")
