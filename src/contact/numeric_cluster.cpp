@@ -1,7 +1,7 @@
 #include "contact/numeric_cluster.hpp"
 
+#include "contact/contact_forces.hpp"
 #include "contact/equalise.hpp"
-#include "impact/contact_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,18 +28,18 @@ Geometry geometry(const NumericContact& c, const Bodies& bodies)
 {
     const NumericBody& a = bodies[static_cast<std::size_t>(c.a)];
     if (c.plane) return {c.centre, c.centre.dot(a.position) - c.reach, 0};
-    const bool alone = c.b == immovable;
-    const Vec3 r = a.position - (alone ? c.centre : bodies[static_cast<std::size_t>(c.b)].position);
-    const Vec3 w = alone ? a.velocity : Vec3(a.velocity - bodies[static_cast<std::size_t>(c.b)].velocity);
+    const bool alone = !c.b;
+    const Vec3 r = a.position - (alone ? c.centre : bodies[static_cast<std::size_t>(*c.b)].position);
+    const Vec3 w = alone ? a.velocity : Vec3(a.velocity - bodies[static_cast<std::size_t>(*c.b)].velocity);
     const double distance = std::sqrt(r.squaredNorm());
     const Vec3 normal = r / distance;
     return {normal, distance - c.reach, (w - w.dot(normal) * normal).squaredNorm() / distance};
 }
 
 /// Contacts as they stand, with a velocity for each body.
-Cluster contacts_at(const NumericCluster& cluster, const Bodies& bodies, std::vector<double>* curvature)
+ContactProblem contacts_at(const NumericCluster& cluster, const Bodies& bodies, std::vector<double>* curvature)
 {
-    Cluster out;
+    ContactProblem out;
     for (const NumericBody& b : bodies) out.bodies.push_back({b.velocity, b.inverse_mass});
     for (const NumericContact& c : cluster.contacts) {
         const Geometry g = geometry(c, bodies);
@@ -53,8 +53,8 @@ Cluster contacts_at(const NumericCluster& cluster, const Bodies& bodies, std::ve
 ContactForces forces_at(const NumericCluster& cluster, const Bodies& bodies, std::span<const double> guess)
 {
     std::vector<double> curvature;
-    Cluster problem = contacts_at(cluster, bodies, &curvature);
-    for (ClusterBody& body : problem.bodies) body.velocity = cluster.gravity;
+    ContactProblem problem = contacts_at(cluster, bodies, &curvature);
+    for (ContactBody& body : problem.bodies) body.velocity = cluster.gravity;
     return solve_contact_forces(problem, curvature, guess);
 }
 
@@ -105,7 +105,7 @@ double opening(const NumericCluster& cluster, const ContactForces& forces, std::
 {
     const NumericContact& c = cluster.contacts[i];
     const double lightness = cluster.bodies[static_cast<std::size_t>(c.a)].inverse_mass +
-                             (c.b == immovable ? 0 : cluster.bodies[static_cast<std::size_t>(c.b)].inverse_mass);
+                             (!c.b ? 0 : cluster.bodies[static_cast<std::size_t>(*c.b)].inverse_mass);
     const double force = forces.forces[i];
     return (force > 0 ? -force * lightness : forces.gap_rates[i]) - cluster.opening;
 }
@@ -173,8 +173,8 @@ double energy(const NumericCluster& cluster, const Bodies& bodies)
 void put_back(const NumericCluster& cluster, const std::vector<double>& forces, Bodies& bodies)
 {
     for (const bool gaps : {true, false}) {
-        Cluster problem = contacts_at(cluster, bodies, nullptr);
-        Cluster some{problem.bodies, {}};
+        ContactProblem problem = contacts_at(cluster, bodies, nullptr);
+        ContactProblem some{problem.bodies, {}};
         std::vector<double> wanted;
         for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
             const NumericContact& c = cluster.contacts[i];
@@ -182,9 +182,8 @@ void put_back(const NumericCluster& cluster, const std::vector<double>& forces, 
             const double gap = gaps ? geometry(c, bodies).gap : 0;
             if (!(forces[i] > 0 || gap < 0)) continue;
             some.contacts.push_back(problem.contacts[i]);
-            const Vec3 relative = c.b == immovable
-                                      ? bodies[a].velocity
-                                      : Vec3(bodies[a].velocity - bodies[static_cast<std::size_t>(c.b)].velocity);
+            const Vec3 relative =
+                !c.b ? bodies[a].velocity : Vec3(bodies[a].velocity - bodies[static_cast<std::size_t>(*c.b)].velocity);
             wanted.push_back(gaps ? -gap : -problem.contacts[i].normal.dot(relative));
         }
         if (wanted.empty()) continue;

@@ -2,7 +2,7 @@
 /// Bodies in contacts that carry force while their normals turn: no closed form, integrated in small steps.
 #pragma once
 
-#include "impact/cluster.hpp"
+#include "contact/contact.hpp"
 
 #include <limits>
 #include <vector>
@@ -19,7 +19,7 @@ struct NumericBody {
 /// A persistent contact with another body of the cluster, a fixed sphere or a plane.
 struct NumericContact {
     int a = 0;
-    int b = immovable;
+    std::optional<int> b = immovable;
     bool plane = false;          ///< `centre` is a normal, unit to rounding, `reach` a height along it
     Vec3 centre = Vec3::Zero();  ///< of a fixed sphere [length]
     double reach = 0;            ///< r_a + r_b, or where the centre is when in contact with the plane [length]

@@ -192,10 +192,11 @@ std::vector<Touch> declared_contacts(const State& state)
 
 }  // namespace
 
-int ContactComponent::index_of(BodyId body) const
+std::optional<int> ContactComponent::index_of(BodyId body) const
 {
     const auto found = std::lower_bound(bodies.begin(), bodies.end(), body);
-    return found == bodies.end() || *found != body ? immovable : static_cast<int>(found - bodies.begin());
+    return found == bodies.end() || *found != body ? immovable
+                                                   : std::optional(static_cast<int>(found - bodies.begin()));
 }
 
 double persistence_gap(const State& state, BodyId a, BodyId b)
@@ -254,15 +255,15 @@ Event event_between(EventKind kind, const Touch& t, const Vec3& impulse)
     return {kind, {}, 0, t.b, t.a, -t.normal, -impulse};
 }
 
-Cluster cluster_of(const State& state, const ContactComponent& component)
+ContactProblem cluster_of(const State& state, const ContactComponent& component)
 {
-    Cluster out;
+    ContactProblem out;
     for (std::size_t i = 0; i < component.bodies.size(); ++i)
         out.bodies.push_back({component.flights[i].velocity, state.inverse_mass(component.bodies[i])});
     for (const Touch& t : component.contacts) {
         const ContactLaw& law = state.law(t.a, t.b);
         out.contacts.push_back(
-            {component.index_of(t.a), component.index_of(t.b), t.normal, law.restitution, law.tangential});
+            {*component.index_of(t.a), component.index_of(t.b), t.normal, law.restitution, law.tangential});
     }
     return out;
 }

@@ -2,8 +2,8 @@
 /// Bodies connected by contacts that are closed at one instant.
 #pragma once
 
+#include "contact/contact.hpp"
 #include "event_driven/resolve.hpp"
-#include "impact/cluster.hpp"
 
 namespace carom {
 
@@ -24,8 +24,8 @@ struct ContactComponent {
     std::vector<Touch> opened;    ///< persistent ones that have opened on the way, by more than the gap tolerance
 
     /// Position in `bodies`, or `immovable` for what is none of them.
-    int index_of(BodyId body) const;
-    const Flight& flight_of(BodyId body) const { return flights[static_cast<std::size_t>(index_of(body))]; }
+    std::optional<int> index_of(BodyId body) const;
+    const Flight& flight_of(BodyId body) const { return flights[static_cast<std::size_t>(*index_of(body))]; }
 };
 
 /// The component of the bodies of an event. \param contact its key: a contact of its own, closed at this instant, if it
@@ -37,7 +37,7 @@ ContactComponent gather(const State& state, const Key& contact, const Neighbourh
 std::vector<ContactComponent> declared_components(const State& state);
 
 /// Contacts and velocities in the form that operators take, every restitution as the materials have it.
-Cluster cluster_of(const State& state, const ContactComponent& component);
+ContactProblem cluster_of(const State& state, const ContactComponent& component);
 
 /// Contact of two bodies, of which `a` can move, at these flights of one instant. \param fb null for a plane
 Touch touch(const State& state, BodyId a, const Flight& fa, BodyId b, const Flight* fb);

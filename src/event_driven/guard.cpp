@@ -1,10 +1,10 @@
 #include "event_driven/guard.hpp"
 
+#include "contact/contact_forces.hpp"
+#include "contact/contact_problem.hpp"
 #include "event_driven/may_touch.hpp"
 #include "event_driven/motion.hpp"
 #include "event_driven/piece.hpp"
-#include "impact/cluster_problem.hpp"
-#include "impact/contact_forces.hpp"
 #include "stepping/stepping.hpp"
 
 #include <algorithm>
@@ -97,7 +97,7 @@ private:
     std::vector<Vec3> without_overlap(const std::vector<Vec3>& velocities) const
     {
         if (component_.contacts.empty()) return velocities;
-        Cluster cluster = cluster_of(state_, component_);
+        ContactProblem cluster = cluster_of(state_, component_);
         for (std::size_t k = 0; k < velocities.size(); ++k) cluster.bodies[k].velocity = velocities[k];
         std::vector<double> allowed;
         for (const Touch& t : component_.contacts) allowed.push_back(std::max(t.gap, 0.0) / length_);
@@ -159,8 +159,8 @@ private:
         double deepest = 0;
         for (const Touch& t : component_.contacts) {
             const auto shift = [&](BodyId body) {
-                const int k = component_.index_of(body);
-                return k == immovable ? Vec3(Vec3::Zero()) : end[static_cast<std::size_t>(k)].position;
+                const std::optional<int> k = component_.index_of(body);
+                return k ? end[static_cast<std::size_t>(*k)].position : Vec3(Vec3::Zero());
             };
             deepest = std::max(deepest, -(t.gap + t.normal.dot(shift(t.a) - shift(t.b))));
         }

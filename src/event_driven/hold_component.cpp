@@ -58,7 +58,7 @@ private:
         for (const Indices& some : held)
             for (const std::size_t i : some) {
                 of_body_[static_cast<std::size_t>(contacts_.a(i))].push_back(i);
-                if (contacts_.b(i) != immovable) of_body_[static_cast<std::size_t>(contacts_.b(i))].push_back(i);
+                if (contacts_.b(i)) of_body_[static_cast<std::size_t>(*contacts_.b(i))].push_back(i);
             }
     }
 
@@ -88,9 +88,9 @@ private:
     /// the parabola that stood for it. Now that they stay, they give way until gaps are closed, and nobody else does.
     void close_gaps(const Indices& staying, const Indices& held)
     {
-        std::vector<int> number(component().bodies.size(), immovable);
+        std::vector<std::optional<int>> number(component().bodies.size());
         std::vector<char> stays(component().bodies.size(), 0);
-        Cluster numeric;
+        ContactProblem numeric;
         for (const std::size_t k : staying) {
             stays[k] = 1;
             const BodyId body = component().bodies[k];
@@ -102,24 +102,23 @@ private:
         std::vector<double> wanted;
         double widest = 0;
         for (const std::size_t i : held) {
-            const int a = contacts_.a(i), b = contacts_.b(i);
-            if (!stays[static_cast<std::size_t>(a)] || (b != immovable && !stays[static_cast<std::size_t>(b)]))
+            const auto a = static_cast<std::size_t>(contacts_.a(i));
+            const std::optional<int> b = contacts_.b(i);
+            if (!stays[a] || (b && !stays[static_cast<std::size_t>(*b)])) continue;
+            const std::optional<int> number_b = b ? number[static_cast<std::size_t>(*b)] : immovable;
+            if (number[a])
+                numeric.contacts.push_back({*number[a], number_b, touch(i).normal, 0, 1});
+            else if (number_b)
+                numeric.contacts.push_back({*number_b, immovable, -touch(i).normal, 0, 1});
+            else
                 continue;
-            ClusterContact c{number[static_cast<std::size_t>(a)],
-                             b == immovable ? immovable : number[static_cast<std::size_t>(b)], touch(i).normal, 0, 1};
-            if (c.a == immovable) {
-                std::swap(c.a, c.b);
-                c.normal = -c.normal;
-            }
-            if (c.a == immovable) continue;
-            numeric.contacts.push_back(c);
             wanted.push_back(-touch(i).gap);
             widest = std::max(widest, std::abs(touch(i).gap));
         }
         if (!(widest > 1e-3 * state_.rest.gap_tolerance)) return;
         const std::vector<Vec3> change = equalising_change(numeric, wanted).change;
         for (const std::size_t k : staying)
-            if (number[k] != immovable) shift_[k] = change[static_cast<std::size_t>(number[k])];
+            if (number[k]) shift_[k] = change[static_cast<std::size_t>(*number[k])];
     }
 
     MemberChange& change_of(std::size_t k)
@@ -188,7 +187,7 @@ private:
         NumericPart numeric{{}, {}};
         Indices number;  // of its contacts
         for (const std::size_t k : part) numeric.bodies.push_back({component().bodies[k], component().flights[k]});
-        const auto moves = [&](int k) { return k != immovable && !contacts_.rests(static_cast<std::size_t>(k)); };
+        const auto moves = [&](std::optional<int> k) { return k && !contacts_.rests(static_cast<std::size_t>(*k)); };
         for (const std::size_t i : held) {
             const Touch& t = touch(i);
             const bool a_moves = moves(contacts_.a(i));
@@ -196,10 +195,10 @@ private:
             number.push_back(i);
             numeric.contacts.push_back({t, contacts_.force(i), {}});
             const BodyId other = a_moves ? t.b : t.a;
-            const int k = a_moves ? contacts_.b(i) : contacts_.a(i);
+            const std::optional<int> k = a_moves ? contacts_.b(i) : contacts_.a(i);
             if (!state_.is_plane(other) && !moves(k))
-                numeric.contacts.back().other = k == immovable ? state_.flight(other).place
-                                                               : component().flights[static_cast<std::size_t>(k)].place;
+                numeric.contacts.back().other =
+                    k ? component().flights[static_cast<std::size_t>(*k)].place : state_.flight(other).place;
         }
         const NumericMotion motion = numeric_motion(state_, numeric, now_, contacts_.soft());
         if (!motion.opened.empty()) {

@@ -21,17 +21,17 @@ constexpr double agreement = 3e-7;
 NumericContact numeric_contact(const State& state, const NumericPart& part, const NumericPart::Contact& contact,
                                const Place& centre)
 {
-    const auto number = [&](BodyId body) {
+    const auto number = [&](BodyId body) -> std::optional<int> {
         const auto found = std::lower_bound(part.bodies.begin(), part.bodies.end(), body,
                                             [](const NumericPart::Body& b, BodyId id) { return b.id < id; });
-        return found == part.bodies.end() || found->id != body ? immovable
-                                                               : static_cast<int>(found - part.bodies.begin());
+        if (found == part.bodies.end() || found->id != body) return immovable;
+        return static_cast<int>(found - part.bodies.begin());
     };
     const Touch& t = contact.touch;
     NumericContact out;
-    out.a = number(t.a);
-    out.b = number(t.b);
-    if (out.a == immovable) std::swap(out.a, out.b);
+    const std::optional<int> a = number(t.a), b = number(t.b);
+    out.a = a ? *a : *b;
+    out.b = a ? b : immovable;
     out.force = contact.force;
     if (state.is_plane(t.b)) {
         const Flight& f = part.bodies[static_cast<std::size_t>(out.a)].flight;
@@ -41,7 +41,7 @@ NumericContact numeric_contact(const State& state, const NumericPart& part, cons
         return out;
     }
     out.reach = state.radius(t.a) + state.radius(t.b);
-    if (out.b == immovable) out.centre = separation(state.frame, contact.other, centre);
+    if (!out.b) out.centre = separation(state.frame, contact.other, centre);
     return out;
 }
 
@@ -56,7 +56,7 @@ double depth(const NumericCluster& cluster, const std::vector<Vec3>& acceleratio
     double deepest = 0;
     for (const NumericContact& c : cluster.contacts) {
         const Vec3 a = at(c.a);
-        const Vec3 r = a - (c.plane ? Vec3::Zero() : c.b == immovable ? c.centre : at(c.b));
+        const Vec3 r = a - (c.plane ? Vec3::Zero() : c.b ? at(*c.b) : c.centre);
         const double gap = c.plane ? c.centre.dot(r) - c.reach : std::sqrt(r.squaredNorm()) - c.reach;
         deepest = std::max(deepest, -gap);
     }

@@ -1,8 +1,8 @@
 #include "event_driven/persistence.hpp"
 
+#include "contact/contact_forces.hpp"
+#include "contact/contact_problem.hpp"
 #include "contact/equalise.hpp"
-#include "impact/cluster_problem.hpp"
-#include "impact/contact_forces.hpp"
 #include "impact/operators.hpp"
 #include "math/disjoint_sets.hpp"
 #include "math/error_free.hpp"
@@ -58,8 +58,7 @@ bool Persistence::turns(std::size_t contact) const
 {
     if (state_.is_plane(component_.contacts[contact].b)) return false;
     const Vec3& of_a = acceleration_[static_cast<std::size_t>(a(contact))];
-    const Vec3 relative =
-        b(contact) == immovable ? of_a : Vec3(of_a - acceleration_[static_cast<std::size_t>(b(contact))]);
+    const Vec3 relative = !b(contact) ? of_a : Vec3(of_a - acceleration_[static_cast<std::size_t>(*b(contact))]);
     return length(relative_velocity(contact)) > slow_ || length(relative) > same_;
 }
 
@@ -78,7 +77,7 @@ void Persistence::release(std::vector<char> opens)
 Vec3 Persistence::relative_velocity(std::size_t contact) const
 {
     const Vec3& v = component_.flights[static_cast<std::size_t>(a(contact))].velocity;
-    return b(contact) == immovable ? v : Vec3(v - component_.flights[static_cast<std::size_t>(b(contact))].velocity);
+    return !b(contact) ? v : Vec3(v - component_.flights[static_cast<std::size_t>(*b(contact))].velocity);
 }
 
 double Persistence::rate(std::size_t contact) const
@@ -103,7 +102,7 @@ void Persistence::choose_candidates()
 bool Persistence::loses_energy() const
 {
     return state_.scene.rest.policy == RestPolicy::contact &&
-           std::any_of(links_.begin(), links_.end(), [](const ClusterContact& c) { return c.restitution < 1; });
+           std::any_of(links_.begin(), links_.end(), [](const Contact& c) { return c.restitution < 1; });
 }
 
 /// What persists neither opens nor closes from here on: what is left of its speed goes.
@@ -145,9 +144,9 @@ double Persistence::kinetic_energy() const
 }
 
 /// The component with some of its contacts.
-Cluster Persistence::with_contacts(const std::vector<char>& which) const
+ContactProblem Persistence::with_contacts(const std::vector<char>& which) const
 {
-    Cluster out;
+    ContactProblem out;
     for (std::size_t k = 0; k < component_.bodies.size(); ++k)
         out.bodies.push_back({component_.flights[k].velocity, state_.inverse_mass(component_.bodies[k])});
     for (std::size_t i = 0; i < count(); ++i)
@@ -160,9 +159,9 @@ void Persistence::find_forces()
     force_.assign(count(), 0);
     opening_.assign(count(), 0);
     acceleration_.assign(component_.bodies.size(), gravity_);
-    Cluster problem = with_contacts(persists_);
+    ContactProblem problem = with_contacts(persists_);
     if (problem.contacts.empty()) return;
-    for (ClusterBody& body : problem.bodies) body.velocity = gravity_;
+    for (ContactBody& body : problem.bodies) body.velocity = gravity_;
     std::vector<double> curvature;
     for (std::size_t i = 0; i < count(); ++i)
         if (persists_[i]) curvature.push_back(turning(i));
@@ -279,7 +278,7 @@ void Persistence::follow_planes()
     for (std::size_t i = 0; i < count(); ++i) {
         if (!persists_[i]) continue;
         ++held[static_cast<std::size_t>(a(i))];
-        if (b(i) != immovable) ++held[static_cast<std::size_t>(b(i))];
+        if (b(i)) ++held[static_cast<std::size_t>(*b(i))];
     }
     for (std::size_t i = 0; i < count(); ++i) {
         const Touch& t = component_.contacts[i];
@@ -301,7 +300,7 @@ void Persistence::open_what_closes()
     }
     if (!some) return;
     const double before = kinetic_energy();
-    const Cluster cluster = with_contacts(closed);
+    const ContactProblem cluster = with_contacts(closed);
     const NormalImpact impact = inelastic(cluster);
     std::vector<Vec3> pushes;
     for (std::size_t n = 0; n < cluster.contacts.size(); ++n)
@@ -323,7 +322,7 @@ void Persistence::bring_to_rest()
     for (std::size_t i = 0; i < count(); ++i) {
         if (!persists_[i]) continue;
         is_held[static_cast<std::size_t>(a(i))] = 1;
-        if (b(i) != immovable) is_held[static_cast<std::size_t>(b(i))] = 1;
+        if (b(i)) is_held[static_cast<std::size_t>(*b(i))] = 1;
     }
     for (std::size_t k = 0; k < component_.bodies.size(); ++k) {
         if (!is_held[k]) continue;
@@ -349,8 +348,7 @@ std::vector<std::vector<std::size_t>> Persistence::parts() const
     const std::size_t n = component_.bodies.size();
     DisjointSets sets(n);
     for (std::size_t i = 0; i < count(); ++i)
-        if (persists_[i] && b(i) != immovable)
-            sets.join(static_cast<std::size_t>(a(i)), static_cast<std::size_t>(b(i)));
+        if (persists_[i] && b(i)) sets.join(static_cast<std::size_t>(a(i)), static_cast<std::size_t>(*b(i)));
     std::vector<std::vector<std::size_t>> out, by_smallest(n);
     for (std::size_t k = 0; k < n; ++k) by_smallest[sets.smallest(k)].push_back(k);
     for (auto& part : by_smallest)

@@ -21,7 +21,7 @@ public:
 
     /// Positions of a contact's spheres in `bodies`; `immovable` for b where it is none of them.
     int a(std::size_t contact) const { return links_[contact].a; }
-    int b(std::size_t contact) const { return links_[contact].b; }
+    std::optional<int> b(std::size_t contact) const { return links_[contact].b; }
     double force(std::size_t contact) const { return force_[contact]; }               ///< [mass length/time^2]
     const Vec3& acceleration(std::size_t body) const { return acceleration_[body]; }  ///< [length/time^2]
     bool rests(std::size_t body) const;
@@ -46,7 +46,7 @@ private:
     bool loses_energy() const;
     double softest(std::size_t contact) const;
     double kinetic_energy() const;
-    Cluster with_contacts(const std::vector<char>& which) const;
+    ContactProblem with_contacts(const std::vector<char>& which) const;
     std::vector<double> forces_before() const;
 
     void choose_candidates();
@@ -63,7 +63,7 @@ private:
 
     const State& state_;
     ContactComponent component_;
-    const std::vector<ClusterContact> links_;  ///< the contacts as clusters have them
+    const std::vector<Contact> links_;  ///< the contacts as clusters have them
     const Vec3 gravity_;
     const double slow_;  ///< contacts no faster than this neither open nor close [length/time]
     const double soft_;  ///< nothing opens a contact with less acceleration than this [length/time^2]

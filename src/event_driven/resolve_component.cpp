@@ -1,7 +1,7 @@
 #include "event_driven/resolve_component.hpp"
 
+#include "contact/contact_problem.hpp"
 #include "event_driven/support.hpp"
-#include "impact/cluster_problem.hpp"
 #include "impact/resolve_cluster.hpp"
 #include "math/length.hpp"
 
@@ -25,7 +25,7 @@ std::vector<Vec3> velocities_of(const ContactComponent& component)
 
 /// Restitution as the rest policy has it. Policy contact: e := 0: for all contacts if every closing is slower than v_c,
 /// otherwise for those that closed a moment ago. Never where all e = 1. \returns whether something was made inelastic
-bool apply_policy(const State& state, const ContactComponent& component, const EpochTime& now, Cluster& cluster)
+bool apply_policy(const State& state, const ContactComponent& component, const EpochTime& now, ContactProblem& cluster)
 {
     const std::vector<Vec3> velocities = velocities_before(cluster);
     if (state.scene.rest.policy == RestPolicy::micro)
@@ -35,13 +35,13 @@ bool apply_policy(const State& state, const ContactComponent& component, const E
             cluster.contacts[i].restitution = law_of_impact(state, state.law(t.a, t.b), closing).restitution;
         }
     if (state.scene.rest.policy != RestPolicy::contact) return false;
-    const auto loses = [](const ClusterContact& c) { return c.restitution < 1; };
+    const auto loses = [](const Contact& c) { return c.restitution < 1; };
     if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), loses)) return false;
     double fastest = 0;
-    for (const ClusterContact& c : cluster.contacts) fastest = std::max(fastest, -closing_rate(c, velocities));
+    for (const Contact& c : cluster.contacts) fastest = std::max(fastest, -closing_rate(c, velocities));
     bool some = false;
     for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
-        ClusterContact& c = cluster.contacts[i];
+        Contact& c = cluster.contacts[i];
         const Touch& t = component.contacts[i];
         if (!(c.restitution > 0) || (fastest >= state.rest.closing_speed && !state.recent.has(t.a, t.b, now))) continue;
         c.restitution = 0;
@@ -100,10 +100,10 @@ private:
     /// Impacts, if something closes.
     void collide()
     {
-        Cluster cluster = cluster_of(state_, component_);
+        ContactProblem cluster = cluster_of(state_, component_);
         const std::vector<Vec3> before = velocities_before(cluster);
         speed_ = largest_speed(before);
-        const auto closes = [&](const ClusterContact& c) { return closing_rate(c, before) < -slow(speed_); };
+        const auto closes = [&](const Contact& c) { return closing_rate(c, before) < -slow(speed_); };
         if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), closes)) return;
 
         const bool inelastic = apply_policy(state_, component_, now_, cluster);
