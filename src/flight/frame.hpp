@@ -46,10 +46,11 @@ private:
 /// cells: a little above the smallest diameter. Pure functions of the scene.
 Frame make_frame(const Scene& scene);
 
-/// A place: cell * cell_size + local, 0 <= local < cell_size in each coordinate [length].
+/// A place: cell * cell_size + local + low, 0 <= local < cell_size in each coordinate [length].
 struct Place {
     std::int64_t cell[3] = {0, 0, 0};
     double local[3] = {0, 0, 0};
+    double low[3] = {0, 0, 0};  ///< what `local` lacks, in certified runs of bodies in free flight; else 0
 };
 
 /// Exact, unless a coordinate is beyond 2^62 cells.

@@ -1,6 +1,6 @@
 /// Several contacts at once in the engine: what belongs to one instant, and that no broad phase changes it. What their
 /// impacts and forces give is asked in tests/scenario.
-#include "event_driven/state.hpp"
+#include "motion/state.hpp"
 #include "support/scenes.hpp"
 
 #include <catch2/catch.hpp>
