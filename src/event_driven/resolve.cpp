@@ -35,9 +35,7 @@ void end_series_inside(const State& state, const Key& key, EventOutcome& out)
 {
     const auto interrupt = [&](BodyId body) {
         if (state.bodies.kind(body) != MotionKind::bouncing) return;
-        Change& change = out.changes.emplace_back();
-        change.body = body;
-        change.flight = advanced(state, body, key.time);
+        add_change(state, body, key.time, out).motion = Flying{};
     };
     interrupt(key.a);
     if (key.b.is_sphere()) interrupt(key.b.index);

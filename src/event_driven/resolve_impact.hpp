@@ -3,7 +3,7 @@
 #pragma once
 
 #include "event_driven/resolve.hpp"
-#include "motion/height.hpp"
+#include "motion/kinematics.hpp"
 
 namespace carom {
 
@@ -15,6 +15,16 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
 /// After an impact the kernel must not see its contact close again; rounding may say otherwise. Nudges of growing size,
 /// the first within a few ulps of the speed, end that: at most so many.
 inline constexpr int most_nudges = 64;
+
+/// How the body moves on if nothing happens to it: to be changed.
+inline Change& add_change(const State& state, BodyId body, const EpochTime& now, EventOutcome& out)
+{
+    Change& change = out.changes.emplace_back();
+    change.body = body;
+    change.flight = flown(state, body, now);
+    if (state.bodies.kind(body) != MotionKind::flying) change.motion = state.bodies.motion(body);
+    return change;
+}
 
 /// The event of a body that is pulled off the plane on which it leaned.
 inline Event release_event(const State& state, BodyId body)

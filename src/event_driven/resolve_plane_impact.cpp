@@ -32,18 +32,18 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
 {
     const BodyId id = key.a;
     const int plane = key.b.index;
-    Change change{id, flown(state, id, key.time), state.bodies.motion(id)};
+    Change& change = add_change(state, id, key.time, out);
     Flight& f = change.flight;
-    const Vec3 normal = facing_normal(state, plane, f.place);
+    const Encounter encounter(state, f, id, nullptr, key.b);
+    const Vec3& normal = encounter.normal();
     const ContactLaw& plain = state.law(id, key.b);
     if (is_coupled(state, key, plain, f, normal, neighbourhood)) return false;
 
     const ContactLaw law = law_of_impact(state, plain, -normal.dot(f.velocity));
-    out.penetration = penetration(state, f, id, nullptr, key.b);
-    const auto approaches = [&] { return approach_sign(state, f, id, nullptr, key.b) < 0; };
+    out.penetration = encounter.penetration();
 
     Vec3 impulse = Vec3::Zero();
-    if (approaches()) {
+    if (encounter.approach_sign() < 0) {
         const Vec3 gained = velocity_change(f.velocity, normal, law);
         f.velocity += gained;
         impulse = (1 / state.inverse_mass(id)) * gained;
@@ -54,7 +54,7 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
     if (support == SupportAfterImpact::pushed) return false;
     const double gravity = -normal.dot(state.acceleration(f));  // > 0 presses, as it goes on
     double nudge = 4 * unit_roundoff * std::sqrt(f.velocity.squaredNorm());
-    for (int i = 0; i < most_nudges && approaches(); ++i, nudge *= 2) f.velocity += nudge * normal;
+    for (int i = 0; i < most_nudges && encounter.approach_sign() < 0; ++i, nudge *= 2) f.velocity += nudge * normal;
 
     const double w = normal.dot(f.velocity);
     const bool leans = kind_of(change.motion) == MotionKind::leaning;
@@ -69,7 +69,6 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
             change.motion = bouncing;
         }
     }
-    out.changes.push_back(change);
     return true;
 }
 

@@ -38,28 +38,27 @@ bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const
 bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out)
 {
     const BodyId id_a = key.a, id_b = key.b.index;
-    Change change_a{id_a, flown(state, id_a, key.time), state.bodies.motion(id_a)},
-        change_b{id_b, flown(state, id_b, key.time), state.bodies.motion(id_b)};
+    out.changes.reserve(2);
+    Change& change_a = add_change(state, id_a, key.time, out);
+    Change& change_b = add_change(state, id_b, key.time, out);
     Flight &a = change_a.flight, &b = change_b.flight;
+    const Encounter encounter(state, a, id_a, &b, key.b);
+    const Vec3& normal = encounter.normal();
     const double inverse_a = state.inverse_mass(id_a), inverse_b = state.inverse_mass(id_b);
-    const Vec3 r = separation(state.frame, a.place, b.place);
-    const double distance = std::sqrt(r.squaredNorm());
-    const Vec3 normal = r / distance;
     const ContactLaw& law = state.law(id_a, key.b);
-    const double closing = -normal.dot(a.velocity - b.velocity);
+    const double closing = -normal.dot(encounter.velocity());
     if (is_coupled(state, key, law, a, b, closing, neighbourhood)) return false;
-    out.penetration = penetration(state, a, id_a, &b, key.b);
-    const auto approach = [&] { return approach_sign(state, a, id_a, &b, key.b); };
+    out.penetration = encounter.penetration();
 
     const double speeds = std::sqrt(a.velocity.squaredNorm()) + std::sqrt(b.velocity.squaredNorm());
     Vec3 impulse = Vec3::Zero();
-    if (approach() < 0) {
+    if (encounter.approach_sign() < 0) {
         const PairImpact after =
             resolve_pair({a.velocity, inverse_a}, {b.velocity, inverse_b}, normal, law_of_impact(state, law, closing));
         a.velocity = after.velocity_a;
         b.velocity = after.velocity_b;
         impulse = after.impulse;
-    } else if (is_pressed(state, a, b, normal, distance)) {
+    } else if (is_pressed(state, a, b, normal, encounter.distance())) {
         return false;
     }
     out.events.push_back(make_event(state, EventKind::impact, id_a, key.b, normal, impulse));
@@ -71,12 +70,11 @@ bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourho
     }
     const double reduced_mass = 1 / (inverse_a + inverse_b);
     double nudge = 4 * unit_roundoff * speeds;
-    for (int i = 0; i < most_nudges && approach() < 0; ++i, nudge *= 2) {
+    for (int i = 0; i < most_nudges && encounter.approach_sign() < 0; ++i, nudge *= 2) {
         a.velocity += (nudge * reduced_mass * inverse_a) * normal;
         b.velocity -= (nudge * reduced_mass * inverse_b) * normal;
     }
-    if (inverse_a > 0) out.changes.push_back(change_a);
-    if (inverse_b > 0) out.changes.push_back(change_b);
+    std::erase_if(out.changes, [&](const Change& change) { return state.is_fixed(change.body); });
     return true;
 }
 

@@ -19,8 +19,8 @@ inline bool may_touch(const State& state, BodyId body, const Flight& now, BodyId
     if (state.bodies.kind(other) == MotionKind::bouncing) return true;
     const Flight& f = state.flight(other);
     const double dt = state.frame.between(f.start, now.start);
-    const Vec3 shift = displacement(f.velocity, state.acceleration(f), dt);
-    const Vec3 r = separation(state.frame, now.place, f.place) - shift;
+    Vec3 r = separation(state.frame, now.place, f.place) - dt * f.velocity;
+    if (f.acceleration != Accelerations::none) r -= (0.5 * dt * dt) * state.acceleration(f);
     const bool in_piece = state.bodies.is_in_piece(other) || state.bodies.is_in_piece(body);
     const double generous = in_piece ? 1.001 : 1.00005;  // pieces are no parabolas
     const double reach = generous * (state.radius(body) + state.radius(other) + margin);

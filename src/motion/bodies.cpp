@@ -48,13 +48,10 @@ Bodies::Bodies(const Scene& scene, const Frame& frame, Precision precision) : ac
     }
 }
 
-void Bodies::set(const Change& change)
+void Bodies::enter(const Change& change)
 {
     Hot& hot = hot_[at(change.body)];
     const MotionKind next = kind_of(change.motion);
-    hot.flight = change.flight;
-    ++hot.stamp;
-    if (hot.kind == MotionKind::flying && next == MotionKind::flying) return;  // nearly all
     in_piece_ += (is_piece(next) ? 1 : 0) - (is_piece(hot.kind) ? 1 : 0);
     hot.kind = next;
     motions_[at(change.body)] = change.motion;

@@ -35,7 +35,7 @@ public:
     template <class Alternative>
     const Alternative* as(BodyId body) const
     {
-        return std::get_if<Alternative>(&motions_[at(body)]);
+        return kind(body) == Alternative::kind ? &std::get<Alternative>(motions_[at(body)]) : nullptr;
     }
     /// Is some body in a numeric step or a window of the guard?
     bool some_in_piece() const { return in_piece_ > 0; }
@@ -53,7 +53,13 @@ public:
     const Vec3& acceleration(const Flight& flight) const { return accelerations_[flight.acceleration]; }
 
     /// The body moves like this from here on. Its stamp, its contacts and its own acceleration follow.
-    void set(const Change& change);
+    void set(const Change& change)
+    {
+        Hot& hot = hot_[at(change.body)];
+        hot.flight = change.flight;
+        ++hot.stamp;
+        if (hot.kind != MotionKind::flying || kind_of(change.motion) != MotionKind::flying) enter(change);
+    }
     /// Other forces in the same persistent contacts: no change of the motion.
     void set_forces(BodyId body, const std::vector<PersistentContact>& contacts);
     /// The present motions are those as the scene begins.
@@ -66,6 +72,8 @@ private:
         MotionKind kind = MotionKind::flying;
     };
 
+    /// What changes when a body does not fly on.
+    void enter(const Change& change);
     static std::size_t at(BodyId body) { return static_cast<std::size_t>(body); }
 
     std::vector<Hot> hot_;         ///< by body

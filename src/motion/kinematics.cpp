@@ -12,8 +12,8 @@ constexpr double u = unit_roundoff;
 ContactTime contact_time(const Frame& frame, const EpochTime& from, const Enclosure<DoubleDouble>& e)
 {
     if (e.decided == Decision::none) return {};
-    if (e.decided == Decision::pressed) return {from, true, false};
-    return {rough_time(frame, from, e.t_lo.high), true, false};
+    if (e.decided == Decision::pressed) return {true, from, true, false};
+    return {true, rough_time(frame, from, e.t_lo.high), true, false};
 }
 
 /// Half of all pairs end here.
@@ -97,14 +97,14 @@ ContactTime CertifiedKinematics::pair_time(const State& state, BodyId a, BodyId 
     if (certainly_separating(m.r, m.v, error)) return {};
     const Enclosure<double> quick = enclose(m.r, m.v, state.radius(a) + state.radius(b), error);
     if (quick.decided == Decision::none) return {};
-    if (quick.decided == Decision::impact) return {rough_time(state.frame, m.from, quick.t_lo), true, false};
+    if (quick.decided == Decision::impact) return {true, rough_time(state.frame, m.from, quick.t_lo), true, false};
     const PairQuery pair(state, fa, a, fb, b);
     return contact_time(state.frame, pair.from, pair.enclose());
 }
 
-ContactTime CertifiedKinematics::plane_time(const State& state, const Moving& sphere, int p)
+ContactTime CertifiedKinematics::plane_time(const State& state, const Moving& sphere, int p, const EpochTime& limit)
 {
-    if (!flies_certified(state, sphere.body)) return PlainKinematics<true>::plane_time(state, sphere, p);
+    if (!flies_certified(state, sphere.body)) return PlainKinematics<true>::plane_time(state, sphere, p, limit);
     const Flight& f = sphere.flight;
     if (certainly_receding(state, f, p)) return {};
     const PlaneMotion m = plane_motion(state, sphere, p);
@@ -113,7 +113,7 @@ ContactTime CertifiedKinematics::plane_time(const State& state, const Moving& sp
                                 8 * u * g};
     const Enclosure<double> quick = enclose_plane(m.h, m.w, m.g, error);
     if (quick.decided == Decision::none) return {};
-    if (quick.decided == Decision::impact) return {rough_time(state.frame, f.start, quick.t_lo), true, false};
+    if (quick.decided == Decision::impact) return {true, rough_time(state.frame, f.start, quick.t_lo), true, false};
     return contact_time(state.frame, f.start, PlaneQuery(state, f, sphere.body, p).enclose());
 }
 
@@ -122,9 +122,9 @@ EpochTime CertifiedKinematics::exact_time(const State& state, BodyId a, Partner 
     const Flight& fa = state.flight(a);
     const auto depth_at = [&](const EpochTime& t) {
         const Flight now = flown(state, a, t);
-        if (b.is_plane()) return penetration(state, now, a, nullptr, b);
+        if (b.is_plane()) return Encounter(state, now, a, nullptr, b).penetration();
         const Flight other = flown(state, b.index, t);
-        return penetration(state, now, a, &other, b);
+        return Encounter(state, now, a, &other, b).penetration();
     };
     if (b.is_plane()) {
         const DoubleDouble t = PlaneQuery(state, fa, a, b.index).enclose().t_lo;
@@ -159,27 +159,41 @@ Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId body, c
         .enclose_rounded({rounding_of_places * length, 2 * u * (largest(a.velocity) + largest(b->velocity)), 0});
 }
 
-int approach_sign(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner)
+Encounter::Encounter(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner)
+    : state_(state),
+      a_(a),
+      body_(body),
+      b_(b),
+      partner_(partner),
+      certified_(state.certified() && is_certified_gap(state, body, partner))
 {
-    const bool certified = is_certified_gap(state, body, partner);
-    if (partner.is_sphere())
-        return certified ? PairQuery(state, a, body, *b, partner.index).approach_sign()
-                         : approach_sign(separation(state.frame, a.place, b->place), a.velocity - b->velocity);
-    const Vec3 normal = facing_normal(state, partner.index, a.place);
-    const double sum = normal.dot(a.velocity), scale = normal.cwiseProduct(a.velocity).cwiseAbs().sum();
-    if (!certified || std::abs(sum) > 8 * u * scale) return sum < 0 ? -1 : sum > 0 ? 1 : 0;
-    return PlaneQuery(state, a, body, partner.index).w().sign();
+    if (b) {
+        separation_ = separation(state.frame, a.place, b->place);
+        distance_ = std::sqrt(separation_.squaredNorm());
+        normal_ = separation_ / distance_;
+    } else {
+        normal_ = facing_normal(state, partner.index, a.place);
+    }
 }
 
-double penetration(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner)
+int Encounter::approach_sign() const
 {
-    const bool certified = is_certified_gap(state, body, partner);
-    if (partner.is_plane())
-        return certified ? PlaneQuery(state, a, body, partner.index).overlap()
-                         : std::max(0.0, -height_above(state, body, partner.index, a.place));
-    if (certified) return PairQuery(state, a, body, *b, partner.index).overlap();
-    const double distance = std::sqrt(separation(state.frame, a.place, b->place).squaredNorm());
-    return std::max(0.0, state.radius(body) + state.radius(partner.index) - distance);
+    if (b_)
+        return certified_ ? PairQuery(state_, a_, body_, *b_, partner_.index).approach_sign()
+                          : carom::approach_sign(separation_, velocity());
+    const double sum = normal_.dot(a_.velocity);
+    if (!certified_ || std::abs(sum) > 8 * u * normal_.cwiseProduct(a_.velocity).cwiseAbs().sum())
+        return sum < 0 ? -1 : sum > 0 ? 1 : 0;
+    return PlaneQuery(state_, a_, body_, partner_.index).w().sign();
+}
+
+double Encounter::penetration() const
+{
+    if (!b_)
+        return certified_ ? PlaneQuery(state_, a_, body_, partner_.index).overlap()
+                          : std::max(0.0, -height_above(state_, body_, partner_.index, a_.place));
+    if (certified_) return PairQuery(state_, a_, body_, *b_, partner_.index).overlap();
+    return std::max(0.0, state_.radius(body_) + state_.radius(partner_.index) - distance_);
 }
 
 }  // namespace carom

@@ -13,30 +13,41 @@ namespace carom {
 
 struct NumericPiece;
 
-struct Fixed {};
+/// The alternatives of Motion, in their order.
+enum class MotionKind : std::uint8_t { fixed, flying, bouncing, leaning, held, stepping, windowed };
 
-struct Flying {};
+struct Fixed {
+    static constexpr MotionKind kind = MotionKind::fixed;
+};
+
+struct Flying {
+    static constexpr MotionKind kind = MotionKind::flying;
+};
 
 /// A Zeno series of bounces on one plane.
 struct Bouncing {
+    static constexpr MotionKind kind = MotionKind::bouncing;
     int plane = 0;
     Series series;
 };
 
 /// Persistent contact with one plane alone: the body slides along it, or rests.
 struct Leaning {
+    static constexpr MotionKind kind = MotionKind::leaning;
     int plane = 0;
     bool rests = false;
 };
 
 /// Persistent contact with spheres or several planes, in closed form.
 struct Held {
+    static constexpr MotionKind kind = MotionKind::held;
     Vec3 acceleration = Vec3::Zero();  ///< its own [length/time^2]
     bool rests = false;
 };
 
 /// One step of a numeric cluster. The flight that goes with it is the parabola that stands for the piece.
 struct Stepping {
+    static constexpr MotionKind kind = MotionKind::stepping;
     EpochTime end;
     Vec3 acceleration = Vec3::Zero();  ///< of the parabola [length/time^2]
     std::shared_ptr<const NumericPiece> piece;
@@ -45,14 +56,20 @@ struct Stepping {
 
 /// A window of the guard: straight on, with a velocity of its own at the end.
 struct Windowed {
+    static constexpr MotionKind kind = MotionKind::windowed;
     EpochTime end;
     Vec3 end_velocity = Vec3::Zero();  ///< [length/time]
 };
 
 using Motion = std::variant<Fixed, Flying, Bouncing, Leaning, Held, Stepping, Windowed>;
 
-/// The alternatives of Motion, in their order.
-enum class MotionKind : std::uint8_t { fixed, flying, bouncing, leaning, held, stepping, windowed };
+template <class... Alternatives>
+constexpr bool are_in_order(const std::variant<Alternatives...>*)
+{
+    std::size_t index = 0;
+    return (... && (static_cast<std::size_t>(Alternatives::kind) == index++));
+}
+static_assert(are_in_order(static_cast<const Motion*>(nullptr)));
 
 inline MotionKind kind_of(const Motion& motion)
 {

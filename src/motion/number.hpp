@@ -61,16 +61,26 @@ Real elapsed(const Frame& frame, const EpochTime& from, const EpochTime& to)
                difference<Real>(to.offset, from.offset);
 }
 
-/// A coordinate of p_a - p_b [length]. The cells cancel first, as whole numbers: nothing of a far origin is left.
+/// p_a - p_b [length]. The cells cancel first, as whole numbers: nothing of a far origin is left.
 template <class Real>
-Real separation(const Frame& frame, const Place& a, const Place& b, int k)
+Triple<Real> separation(const Frame& frame, const Place& a, const Place& b)
 {
-    const double cells = static_cast<double>(a.cell[k] - b.cell[k]) * frame.cell_size;
-    const Real head = Real(cells) + difference<Real>(a.local[k], b.local[k]);
-    if constexpr (std::is_same_v<Real, double>)
-        return head;
-    else
-        return head + difference<Real>(a.low[k], b.low[k]);
+    Triple<Real> out;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double cells = static_cast<double>(a.cell[k] - b.cell[k]) * frame.cell_size;
+        out[k] = Real(cells) + difference<Real>(a.local[k], b.local[k]);
+        if constexpr (!std::is_same_v<Real, double>) out[k] = out[k] + difference<Real>(a.low[k], b.low[k]);
+    }
+    return out;
+}
+
+/// Component by component, without roundings of their own but those of the type.
+template <class Real>
+Triple<Real> difference(const Vec3& a, const Vec3& b)
+{
+    Triple<Real> out;
+    for (int k = 0; k < 3; ++k) out[static_cast<std::size_t>(k)] = difference<Real>(a[k], b[k]);
+    return out;
 }
 
 /// A coordinate of the way that a flight goes in a time [length], and of its velocity after it [length/time].

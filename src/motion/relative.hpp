@@ -14,34 +14,30 @@ namespace carom {
 template <class Real>
 struct Relative {
     EpochTime from{};
-    Triple<Real> r, v;  ///< a relative to b [length], [length/time]
+    Triple<Real> r{}, v{};  ///< a relative to b [length], [length/time]
 };
 
 /// Only the older flight has moved since it began. \param gravity false leaves accelerations out, with the same bits
 template <class Real, bool gravity = true>
 Relative<Real> relative_motion(const State& state, const Flight& a, const Flight& b)
 {
-    Relative<Real> out;
-    out.from = a.start;
-    for (int k = 0; k < 3; ++k) {
-        const auto i = static_cast<std::size_t>(k);
-        out.r[i] = separation<Real>(state.frame, a.place, b.place, k);
-        out.v[i] = difference<Real>(a.velocity[k], b.velocity[k]);
-    }
+    Relative<Real> out{a.start, separation<Real>(state.frame, a.place, b.place),
+                       difference<Real>(a.velocity, b.velocity)};
     if (a.start == b.start) return out;
     const bool a_is_older = a.start < b.start;
     const Flight &older = a_is_older ? a : b, &newer = a_is_older ? b : a;
     out.from = newer.start;
     const Real dt = elapsed<Real>(state.frame, older.start, newer.start);
-    const bool accelerated = gravity && older.acceleration != Accelerations::none;
+    const Real towards_a = a_is_older ? dt : -dt;  // rounding does not know a sign
+    if (!gravity || older.acceleration == Accelerations::none) {
+        for (std::size_t k = 0; k < 3; ++k) out.r[k] = out.r[k] + towards_a * Real(older.velocity[k]);
+        return out;
+    }
     const Vec3& g = state.acceleration(older);
-    for (int k = 0; k < 3; ++k) {
-        const auto i = static_cast<std::size_t>(k);
-        const Real shift = accelerated ? displacement<Real>(older.velocity[k], g[k], dt) : dt * Real(older.velocity[k]);
-        out.r[i] = a_is_older ? out.r[i] + shift : out.r[i] - shift;
-        if (!accelerated) continue;
-        const Real v = velocity_after<Real>(older.velocity[k], g[k], dt);
-        out.v[i] = a_is_older ? v - Real(newer.velocity[k]) : Real(newer.velocity[k]) - v;
+    for (std::size_t k = 0; k < 3; ++k) {
+        out.r[k] = out.r[k] + towards_a * (Real(older.velocity[k]) + (Real(0.5) * dt) * Real(g[k]));
+        const Real v = velocity_after<Real>(older.velocity[k], g[k], dt) - Real(newer.velocity[k]);
+        out.v[k] = a_is_older ? v : -v;
     }
     return out;
 }
@@ -96,14 +92,6 @@ inline bool recedes(const State& state, const Moving& sphere, int plane)
 /// The body's flight as if it began at `now`: same path, place and velocity of that moment, in double. A series becomes
 /// the flight between two of its bounces in which the body is.
 Flight advanced(const State& state, BodyId body, const EpochTime& now);
-/// Without gravity, with the same bits.
-inline Flight uniformly_advanced(const State& state, BodyId body, const EpochTime& now)
-{
-    Flight f = state.flight(body);
-    f.place = moved(state.frame, f.place, state.frame.between(f.start, now) * f.velocity);
-    f.start = now;
-    return f;
-}
 /// Likewise the path of what a grid files: the centre, or in a series the centre without its bounces.
 Flight filed_path(const State& state, BodyId body, const EpochTime& now);
 /// How far beyond its swept radius a slowed series may carry a sphere [length]; 0 at tangential factor 1.

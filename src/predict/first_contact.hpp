@@ -17,9 +17,9 @@ inline Key own_end(const State& state, BodyId body)
 }
 
 /// Offers to `take(key, rough)` each event of `body` with itself and with planes, in no particular order. Planes that
-/// carry the body are left out.
+/// carry the body are left out, and so may be what comes after `best`, the time of the best one so far.
 template <class Kinematics, class Take>
-void offer_planes(const State& state, BodyId body, Counts& counts, const Take& take)
+void offer_planes(const State& state, BodyId body, Counts& counts, const EpochTime& best, const Take& take)
 {
     const MotionKind kind = state.bodies.kind(body);
     const bool bounces = kind == MotionKind::bouncing;
@@ -35,8 +35,8 @@ void offer_planes(const State& state, BodyId body, Counts& counts, const Take& t
     for (int p = 0; p < state.planes(); ++p) {
         const Partner plane = Partner::plane(p);
         if (p == carrier || (several && state.bodies.contacts().between(body, plane))) continue;
-        const ContactTime contact = Kinematics::plane_time(state, sphere, p);
-        if (contact.time == never) continue;
+        const ContactTime contact = Kinematics::plane_time(state, sphere, p, best);
+        if (!contact.comes) continue;
         ++counts.root_solves;
         take({contact.time, bounces ? Scheduled::intrusion : Scheduled::plane_impact, body, plane}, contact.rough);
     }

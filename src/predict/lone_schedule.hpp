@@ -40,7 +40,7 @@ public:
     void flight_changed(const State& state, BodyId body, const EpochTime&, Counts& counts)
     {
         next_.key = {};
-        offer_planes<PlainKinematics<true>>(state, body, counts,
+        offer_planes<PlainKinematics<true>>(state, body, counts, next_.key.time,
                                             [&](const Key& key, bool) { next_.key = std::min(next_.key, key); });
     }
 

@@ -26,7 +26,9 @@ public:
     Schedule(const State& state, Counts& counts)
         : broad_(make_broad_phase<BroadPhase>(state)),
           queue_(static_cast<std::size_t>(state.count()) * (has_cells ? 2 : 1)),
-          predictions_(static_cast<std::size_t>(state.count()))
+          found_(static_cast<std::size_t>(state.count())),
+          predictions_(static_cast<std::size_t>(state.count())),
+          runner_up_(Kinematics::is_certified ? predictions_.size() : 0, never)
     {
         for (BodyId i = 0; i < state.count(); ++i) flight_changed(state, i, {}, counts);
     }
@@ -53,7 +55,7 @@ public:
             Prediction& prediction = predictions_[next.slot];
             Key exact = next.key;
             exact.time = Kinematics::exact_time(state, exact.a, exact.b);
-            if (prediction.runner_up < exact.time) {
+            if (runner_up_[next.slot] < exact.time) {
                 examine<true>(state, static_cast<BodyId>(next.slot), counts);
             } else {
                 prediction.rough = false;
@@ -87,7 +89,7 @@ public:
     }
 
     /// Carry out a cell crossing: new neighbours may come before the contact known so far.
-    void cross(const State& state, const Key& crossing, Counts& counts)
+    [[gnu::flatten]] void cross(const State& state, const Key& crossing, Counts& counts)
     {
         if constexpr (has_cells) {
             const int axis = crossing.b.index / 2, direction = crossing.b.index % 2 == 0 ? -1 : 1;
@@ -95,7 +97,7 @@ public:
             ++counts.cell_crossings;
 
             const auto slot = static_cast<std::size_t>(crossing.a);
-            Best best{queue_.key(slot), predictions_[slot]};
+            Best best{queue_.key(slot), predictions_[slot], Kinematics::is_certified ? runner_up_[slot] : never};
             broad_.new_neighbours(crossing.a, axis, direction,
                                   [&](BodyId other) { offer<false>(state, crossing.a, other, best, counts); });
             keep(slot, best);
@@ -106,9 +108,9 @@ public:
     /// Every body that may touch this one before either of them crosses a cell wall; valid until the next call.
     std::span<const BodyId> neighbours(BodyId body)
     {
-        found_.clear();
-        broad_.neighbours(body, [&](BodyId other) { found_.push_back(other); });
-        return found_;
+        std::size_t count = 0;
+        broad_.neighbours(body, [&](BodyId other) { found_[count++] = other; });
+        return {found_.data(), count};
     }
 
 private:
@@ -116,20 +118,19 @@ private:
 
     /// What is known of a slot's event beside its key.
     struct Prediction {
-        std::uint32_t stamp = 0;      ///< of the partner when it was predicted
-        bool rough = false;           ///< the time is one before the contact, not that of the contact
-        EpochTime runner_up = never;  ///< no other contact of the body comes before; kept by certified runs only
+        std::uint32_t stamp = 0;  ///< of the partner when it was predicted
+        bool rough = false;       ///< the time is one before the contact, not that of the contact
     };
     /// The earliest contact of a body, so far.
     struct Best {
         Key key{};
         Prediction prediction{};
+        EpochTime runner_up = never;  ///< no other contact comes before; kept by certified runs only
 
         void take(const Key& other, std::uint32_t its_stamp, bool is_rough)
         {
             const bool first = other < key;
-            if constexpr (Kinematics::is_certified)
-                prediction.runner_up = std::min(prediction.runner_up, first ? key.time : other.time);
+            if constexpr (Kinematics::is_certified) runner_up = std::min(runner_up, first ? key.time : other.time);
             if (!first) return;
             key = other;
             prediction.stamp = its_stamp;
@@ -139,11 +140,11 @@ private:
 
     /// \param asked ascending; of pairs with them they have the contact already
     template <bool exact = false>
-    void examine(const State& state, BodyId body, Counts& counts, std::span<const Change> asked = {})
+    [[gnu::flatten]] void examine(const State& state, BodyId body, Counts& counts, std::span<const Change> asked = {})
     {
         Best best;
         if (!state.is_fixed(body)) {  // who never moves leaves the asking to the others
-            offer_planes<Kinematics>(state, body, counts,
+            offer_planes<Kinematics>(state, body, counts, best.key.time,
                                      [&](const Key& key, bool rough) { take<exact>(state, key, 0, rough, best); });
             const auto was_asked = [&](BodyId other) {
                 const auto at = std::lower_bound(asked.begin(), asked.end(), other,
@@ -160,6 +161,7 @@ private:
     {
         if (best.key != queue_.key(slot)) queue_.set(slot, best.key);
         predictions_[slot] = best.prediction;
+        if constexpr (Kinematics::is_certified) runner_up_[slot] = best.runner_up;
     }
 
     template <bool exact>
@@ -177,7 +179,7 @@ private:
         const BodyId a = std::min(body, other), b = std::max(body, other);
         ++counts.pair_tests;
         const ContactTime contact = Kinematics::pair_time(state, a, b, best.key.time);
-        if (contact.time == never) return;
+        if (!contact.comes) return;
         ++counts.root_solves;
         take<exact>(
             state, {contact.time, contact.swept ? Scheduled::intrusion : Scheduled::pair_impact, a, Partner::sphere(b)},
@@ -189,7 +191,14 @@ private:
     {
         if constexpr (has_cells) {
             constexpr bool gravity = Kinematics::has_gravity;
-            const Flight f = gravity ? filed_path(state, body, now) : uniformly_advanced(state, body, now);
+            Flight f;
+            if constexpr (gravity) {
+                f = filed_path(state, body, now);
+            } else {
+                const Flight& own = state.flight(body);
+                f.velocity = own.velocity;
+                f.place = moved(state.frame, own.place, state.frame.between(own.start, now) * own.velocity);
+            }
             double soonest = std::numeric_limits<double>::infinity();
             Partner wall;
             const auto keep_wall = [&](const Root& root, int axis, bool upper) {
@@ -218,9 +227,10 @@ private:
     }
 
     BroadPhase broad_;
-    Queue queue_;  ///< slot i: contact of body i; slot count + i: its cell crossing
-    std::vector<BodyId> found_;
+    Queue queue_;                          ///< slot i: contact of body i; slot count + i: its cell crossing
+    std::vector<BodyId> found_;            ///< room for all bodies
     std::vector<Prediction> predictions_;  ///< by body
+    std::vector<EpochTime> runner_up_;     ///< by body, see Best
 };
 
 }  // namespace carom
