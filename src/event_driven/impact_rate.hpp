@@ -24,7 +24,6 @@ public:
     /// it is time to ask: beyond B, then when it has used up its share of what the last answer left.
     bool add(const State& state, const EpochTime& now, BodyId body)
     {
-        if (!(length_ > 0)) return false;
         Recent& recent = recent_[static_cast<std::size_t>(body)];
         const double window = number(state, now);
         if (window != all_.window) all_ = {window, 0, 0};

@@ -104,25 +104,16 @@ private:
         return some;
     }
 
-    bool is_of_key(BodyId body) const { return body == key_->a || key_->b == Partner::sphere(body); }
-
-    /// Bodies that were close by only keep their flights. Of those whose event it is one at least does not, so that it
-    /// does not come again.
+    /// Bodies that were close by only keep their flights.
     void drop_what_goes_on(const ContactProblem& before)
     {
         std::unordered_set<BodyId> named;
         for (const Event& event : out_.events) named.insert({event.a, event.b});
-        const auto drops = [&](const Change& change) {
+        std::erase_if(out_.changes, [&](const Change& change) {
             const auto body = std::lower_bound(before.bodies.begin(), before.bodies.end(), change.body,
                                                [](const ContactBody& b, BodyId id) { return b.id < id; });
             return !named.contains(change.body) && goes_on(change, body->velocity);
-        };
-        const auto keeps_key = [&](const Change& change) { return is_of_key(change.body) && !drops(change); };
-        const bool key_changes = std::any_of(out_.changes.begin(), out_.changes.end(), keeps_key) ||
-                                 std::any_of(out_.forces.begin(), out_.forces.end(),
-                                             [&](const ForceChange& change) { return is_of_key(change.body); });
-        std::erase_if(out_.changes,
-                      [&](const Change& change) { return drops(change) && (key_changes || !is_of_key(change.body)); });
+        });
     }
 
     bool goes_on(const Change& change, const Vec3& velocity_before) const

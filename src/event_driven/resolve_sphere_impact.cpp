@@ -13,14 +13,6 @@ namespace carom {
 
 namespace {
 
-/// Not approaching, and accelerated towards each other: contact that persists, or is closed again at once.
-bool is_pressed(const State& state, const Flight& a, const Flight& b, const Vec3& normal, double distance)
-{
-    if (a.acceleration == b.acceleration) return false;
-    const Vec3 w = a.velocity - b.velocity, across = w - w.dot(normal) * normal;
-    return normal.dot(state.acceleration(a) - state.acceleration(b)) + across.squaredNorm() / distance < 0;
-}
-
 /// Is this more than an impact of two spheres alone, or less: one without a rebound, whose contact may persist?
 bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const Flight& a, const Flight& b,
                 double closing, const Neighbourhood& neighbourhood)
@@ -58,8 +50,6 @@ bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourho
         a.velocity = after.velocity_a;
         b.velocity = after.velocity_b;
         impulse = after.impulse;
-    } else if (is_pressed(state, a, b, normal, encounter.distance())) {
-        return false;
     }
     out.events.push_back(make_event(state, EventKind::impact, id_a, key.b, normal, impulse));
 

@@ -95,7 +95,6 @@ private:
     /// are further apart): 0 <= lambda _|_ c + gap/h >= 0, the same problem as that of forces.
     std::vector<Vec3> without_overlap(const std::vector<Vec3>& velocities) const
     {
-        if (component_.problem.contacts.empty()) return velocities;
         ContactProblem cluster = component_.problem;
         for (std::size_t k = 0; k < velocities.size(); ++k) cluster.bodies[k].velocity = velocities[k];
         std::vector<double> allowed;

@@ -42,9 +42,7 @@ SupportAfterImpact keep_to_support(const State& state, Change& change)
     Flight& f = change.flight;
     const Vec3 normal = facing_normal(state, support->plane, f.place);
     const double c = normal.dot(f.velocity) / normal.squaredNorm();
-    const double slack =
-        std::max(1e-6 * state.rest.closing_speed, 16 * unit_roundoff * std::sqrt(f.velocity.squaredNorm()));
-    if (std::abs(c) <= slack) {
+    if (std::abs(c) <= 1e-6 * state.rest.closing_speed) {
         f.velocity -= c * normal;
         change.motion = leaning(state, support->plane, f);
         return SupportAfterImpact::kept;

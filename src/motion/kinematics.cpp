@@ -90,7 +90,6 @@ bool is_certified_gap(const State& state, BodyId a, Partner b)
 ContactTime CertifiedKinematics::pair_time(const State& state, BodyId a, BodyId b, const EpochTime& limit)
 {
     if (!is_certified_gap(state, a, Partner::sphere(b))) return PlainKinematics<true>::pair_time(state, a, b, limit);
-    if (state.bodies.contacts().between(a, Partner::sphere(b))) return {};
     const Flight &fa = state.flight(a), &fb = state.flight(b);
     const auto m = relative_motion<double>(state, fa, fb);
     const SphereInputError error = input_error(state, fa, fb, m);

@@ -132,7 +132,6 @@ double step_to_opening(const NumericCluster& cluster, const ContactForces& start
     for (int i = 0; i < most && value_open > enough; ++i) {
         double middle = open - value_open * ((open - closed) / (value_open - value_closed));
         if (!(closed < middle && middle < open)) middle = closed + (open - closed) / 2;
-        if (!(closed < middle && middle < open)) break;
         RungeKutta tried = runge_kutta(cluster, start, middle);
         const double value = opening(cluster, tried.at_end, watched);
         const bool is_open = value > 0;

@@ -132,7 +132,6 @@ private:
             const Vec3 before = f.velocity + dt * acceleration;
             if (!alone && another_closes(frame, wall, place, before, radius, tie)) break;
             Meeting again{never, &wall, height(frame, wall, place, radius), 0};
-            if (!(normal.dot(before) < 0)) break;
             if (inelastic && !(wall.gravity < 0) &&
                 is_inelastic(state, wall.law, 0, Partner::plane(wall.plane), -normal.dot(before), next.time))
                 break;

@@ -54,8 +54,6 @@ public:
             const double left = largest_error();
             if (was_easy && left > good_round * error && factor_.epsilon() > last_epsilon)
                 factor_.take_epsilon(std::max(last_epsilon, epsilon_factor * factor_.epsilon()));
-            else if (!converged && factor_.epsilon() < first_epsilon)
-                factor_.take_epsilon(factor_.epsilon() / epsilon_factor);
             improves = left < error / 2;
             error = left;
         }

@@ -86,9 +86,7 @@ private:
         double out = 0;
         for (std::size_t i = 0; i < normals_.size(); ++i) {
             if (!is_active_[i]) continue;
-            const double size = std::abs(slack(problem_.half_spaces[i], out_.point));
-            if (std::isnan(size)) return std::numeric_limits<double>::infinity();
-            out = std::max(out, size);
+            out = std::max(out, std::abs(slack(problem_.half_spaces[i], out_.point)));
         }
         return out;
     }

@@ -37,8 +37,6 @@ Values sum(Values x, double factor, const Values& y)
     return x;
 }
 
-/// Part of a sum of squares.
-constexpr double rounding = 1e-12;
 /// Part of a change that is as good as none.
 constexpr double negligible = 1e-10;
 
@@ -69,11 +67,9 @@ public:
         for (std::size_t n = 0; n < most && slope > enough; ++n) {
             const Numbers image = times(step.direction);
             const double length = size / product(image, image);
-            if (!std::isfinite(length)) break;
             // Exactly, every step shrinks the residual by length * size.
             Numbers next_residual = sum(residual, -length, image);
             const double next_left = product(next_residual, next_residual);
-            if (!(next_left <= (1 + rounding) * left)) break;
             UnitVectors next_change = sum(change, length, step.direction);
             if (goes_too_far(next_change)) break;
             change = std::move(next_change);

@@ -126,9 +126,8 @@ TEST_CASE("Two balls side by side, jammed to within any angle, are never thrown"
         for (const Vec3& acceleration : forces.accelerations) CHECK(acceleration.norm() < 40);
         for (std::size_t i = 0; i < 8; ++i) {
             const Contact& c = cluster.contacts[i];
-            const Vec3 relative =
-                forces.accelerations[static_cast<std::size_t>(c.a)] -
-                (c.b == immovable ? Vec3(0, 0, 0) : forces.accelerations[static_cast<std::size_t>(c.b)]);
+            const Vec3 relative = forces.accelerations[static_cast<std::size_t>(c.a)] -
+                                  (c.b ? forces.accelerations[static_cast<std::size_t>(*c.b)] : Vec3(0, 0, 0));
             CHECK(c.normal.dot(relative) + curvature[i] > -2e-7 * 10);
         }
     }

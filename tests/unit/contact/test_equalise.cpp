@@ -21,8 +21,8 @@ ContactProblem random_cluster(Random& random, double mass_ratio)
     const int contacts = random.integer(1, 5 * bodies);
     for (int i = 0; i < contacts; ++i) {
         const int a = random.integer(0, bodies - 1);
-        int b = random.integer(-1, bodies - 1);
-        if (a == b) b = immovable;
+        std::optional<int> b = random.integer(-1, bodies - 1);
+        if (b < 0 || a == b) b.reset();
         out.contacts.push_back({a, b, random.direction().normalized(), 0, 1});
     }
     return out;
@@ -41,7 +41,7 @@ Eigen::MatrixXd rows(const ContactProblem& cluster)
             for (int k = 0; k < 3; ++k) out(row, 3 * body + k) = sign * root * c.normal[k];
         };
         put(c.a, 1);
-        if (c.b != immovable) put(c.b, -1);
+        if (c.b) put(*c.b, -1);
         out.row(row).normalize();
     }
     return out;
@@ -60,7 +60,7 @@ TEST_CASE("changes are those of least squares, and impulses make them, however c
         for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
             const Contact& c = cluster.contacts[i];
             double w = cluster.bodies[static_cast<std::size_t>(c.a)].inverse_mass;
-            if (c.b != immovable) w += cluster.bodies[static_cast<std::size_t>(c.b)].inverse_mass;
+            if (c.b) w += cluster.bodies[static_cast<std::size_t>(*c.b)].inverse_mass;
             const double wish = random.uniform(-1, 1);
             scaled(static_cast<Eigen::Index>(i)) = wish;
             wanted.push_back(wish * std::sqrt(w));
@@ -81,7 +81,7 @@ TEST_CASE("changes are those of least squares, and impulses make them, however c
                 for (int k = 0; k < 3; ++k) made(3 * body + k) += sign * root * change.impulses[i] * c.normal[k];
             };
             add(c.a, 1);
-            if (c.b != immovable) add(c.b, -1);
+            if (c.b) add(*c.b, -1);
         }
         CAPTURE(trial, small, least.norm(), got.norm());
         CHECK((made - got).norm() <= 1e-9 * (1 + least.norm()));
