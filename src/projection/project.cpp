@@ -19,18 +19,11 @@ bool is_satisfied(const ProjectionProblem& problem, const Component& part)
     return true;
 }
 
-/// Enough to tell most of the active half-spaces from the others.
-constexpr int first_sweeps = 30;
-/// What no solver finishes is left to sweeps, which never make it worse.
-constexpr int last_sweeps = 1000;
-/// Beyond, the dense solver would take many seconds.
-constexpr std::size_t dense_at_most = 600;
-
 bool is_dense(const ProjectionProblem& part)
 {
     // Few bodies with very many contacts: at most 3 active ones a body, and sparse factors have nothing to gain.
-    return part.half_spaces.size() <= dense_limit ||
-           (part.half_spaces.size() >= 5 * part.start.size() && part.half_spaces.size() <= dense_at_most);
+    return part.half_spaces.size() <= dense_limit || (part.half_spaces.size() >= dense_crowd * part.start.size() &&
+                                                      part.half_spaces.size() <= dense_fallback_limit);
 }
 
 Projection solve_dense(const ProjectionProblem& part, std::span<const double> guess)
@@ -50,7 +43,7 @@ Projection solve_sparse(const ProjectionProblem& part, std::span<const double> g
     }
     Projection out = primal_dual_active_set(part, guess, Factors::sparse);
     if (!out.complete) out = augmented_lagrangian(part, guess).projection;
-    if (!out.complete && part.half_spaces.size() <= dense_at_most) out = dual_active_set(part).projection;
+    if (!out.complete && part.half_spaces.size() <= dense_fallback_limit) out = dual_active_set(part).projection;
     return out;
 }
 
