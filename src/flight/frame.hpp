@@ -4,6 +4,8 @@
 /// goes.
 #pragma once
 
+#include "flight/tolerances.hpp"
+
 #include <carom/scene.hpp>
 #include <carom/types.hpp>
 
@@ -13,7 +15,6 @@
 
 namespace carom {
 
-inline constexpr double furthest = 0x1p62;  ///< epochs and cells beyond it do not fit 64 bits
 inline constexpr EpochTime never{std::numeric_limits<std::int64_t>::max(), 0};
 
 struct Frame {

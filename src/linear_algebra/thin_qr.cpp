@@ -1,15 +1,13 @@
 #include "linear_algebra/thin_qr.hpp"
 
 #include "core/expect.hpp"
+#include "linear_algebra/tolerances.hpp"
 
 #include <cmath>
 
 namespace carom {
 
 namespace {
-
-/// A residual shorter than this part of what was split has lost digits to cancellation and is made orthogonal again.
-constexpr double twice_is_enough = 0.5;
 
 /// In four sums: one would wait for each addition, and the compiler must not reorder.
 double dot(const double* a, const double* b, int n)
@@ -48,7 +46,7 @@ ThinQr::Split ThinQr::split(std::span<const double> column) const
             for (int i = 0; i < rows_; ++i) out.residual[static_cast<std::size_t>(i)] -= d * unit[i];
         }
         out.residual_norm2 = squared_norm(out.residual);
-        if (out.residual_norm2 > twice_is_enough * norm2) break;
+        if (out.residual_norm2 > orthogonal_enough * norm2) break;
         norm2 = out.residual_norm2;
     }
     out.coefficients = out.along;

@@ -6,9 +6,6 @@ namespace carom {
 
 namespace {
 
-/// A multiplication of an update takes as long as so many of a factorisation (memory).
-constexpr double update_price = 2.5;
-
 std::vector<std::pair<int, int>> edges(std::span<const UnitNormal> normals)
 {
     std::vector<std::pair<int, int>> out;

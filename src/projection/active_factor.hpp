@@ -2,18 +2,13 @@
 /// The sparse factor that goes with the half-spaces which are active, as these come and go.
 #pragma once
 
+#include "projection/tolerances.hpp"
 #include "projection/unit_normals.hpp"
 
 #include <span>
 #include <vector>
 
 namespace carom {
-
-/// Slacks of problems that sparse factors solve are satisfied within so many tolerances.
-inline constexpr double sparse_tolerances = 100;
-
-/// An epsilon below the squares of singular values, at most about 10: for a tower of a thousand the least is 2.5e-6.
-inline constexpr double small_epsilon = 1e-6;
 
 /// Of I + sum a_i a_i^T / epsilon over the active ones among unit normals a_i. Dependent ones need no care: it is the
 /// unit matrix and more.

@@ -2,6 +2,7 @@
 
 #include "projection/active_factor.hpp"
 #include "projection/line_search.hpp"
+#include "projection/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,22 +10,6 @@
 namespace carom {
 
 namespace {
-
-// The penalty 1/epsilon: unit normals, so epsilon is seen against eigenvalues of at most about 10. Small ones find the
-// multipliers in few rounds of many Newton steps, large ones in many rounds of few steps.
-constexpr double first_epsilon = 1e-2;
-constexpr double last_epsilon = 1e-6;  // below, rounding of slacks spoils multipliers
-constexpr double epsilon_factor = 0.2;
-/// A round that leaves more than this part of the errors wants a smaller epsilon.
-constexpr double good_round = 0.2;
-
-/// A round of more Newton steps tells that epsilon is small enough for the time being.
-constexpr int easy = 8;
-
-constexpr int most_rounds = 200;
-constexpr int most_inner_steps = 60;
-constexpr int most_steps = 1000;
-constexpr double gradient_rounding = 1e-14;
 
 class AugmentedLagrangian {
 public:
@@ -44,16 +29,16 @@ public:
         place_point();
         double error = largest_error();
         bool improves = true;
-        for (int round = 0; round < most_rounds && out_.newton_steps < most_steps; ++round) {
+        for (int round = 0; round < most_penalty_rounds && out_.newton_steps < most_newton_steps; ++round) {
             // Once good enough, further rounds cost a solve each; go on as long as they pay.
             if (is_solved(1) || (is_solved(sparse_tolerances) && !improves)) break;
             const int before = out_.newton_steps;
             const bool converged = minimise();
-            const bool was_easy = converged && out_.newton_steps - before <= easy;
+            const bool was_easy = converged && out_.newton_steps - before <= easy_round;
             place_point();
             const double left = largest_error();
-            if (was_easy && left > good_round * error && factor_.epsilon() > last_epsilon)
-                factor_.take_epsilon(std::max(last_epsilon, epsilon_factor * factor_.epsilon()));
+            if (was_easy && left > good_round * error && factor_.epsilon() > small_epsilon)
+                factor_.take_epsilon(std::max(small_epsilon, epsilon_factor * factor_.epsilon()));
             improves = left < error / 2;
             error = left;
         }
@@ -109,7 +94,7 @@ private:
             t[i] = multiplier_[i] - slack_[i] / epsilon;
         }
         bool whole_step = false, converged = false;
-        for (int step = 0; step < most_inner_steps && !converged; ++step) {
+        for (int step = 0; step < most_newton_steps_a_round && !converged; ++step) {
             UnitVectors gradient = y;
             double size = 0;
             std::vector<char> active(normals_.size(), 0);
@@ -129,7 +114,7 @@ private:
             const UnitVectors& direction = gradient;
             for (std::size_t i = 0; i < normals_.size(); ++i) rate[i] = normals_[i].dot(direction);
             const double tau = line_search(y, direction, t, rate, epsilon);
-            whole_step = std::abs(tau - 1) < 1e-9;
+            whole_step = std::abs(tau - 1) < whole_step_rounding;
             for (std::size_t k = 0; k < y.size(); ++k)
                 for (std::size_t c = 0; c < 3; ++c) y[k][c] += tau * direction[k][c];
             for (std::size_t i = 0; i < normals_.size(); ++i) {

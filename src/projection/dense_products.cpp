@@ -4,9 +4,6 @@ namespace carom {
 
 namespace {
 
-/// Pivots; smaller ones leave too few digits for refinements to mend.
-constexpr double least_pivot = 1e-8;
-
 double dot(const BlockCholesky::Vector& p, const BlockCholesky::Vector& q)
 {
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];

@@ -2,6 +2,7 @@
 /// The products of the half-spaces' normals that are active, factored as a dense matrix.
 #pragma once
 
+#include "projection/tolerances.hpp"
 #include "projection/unit_normals.hpp"
 
 #include <span>
@@ -22,7 +23,7 @@ public:
     /// \pre follow returned true
     std::vector<double> multipliers(std::span<const double> wanted) const;
 
-    static constexpr int refinements = 2;  ///< what multipliers leave is worth asking for so often
+    static constexpr int refinements = dense_refinements;  ///< what multipliers leave is worth asking for so often
 
 private:
     double product(std::size_t k, std::size_t l) const;

@@ -9,18 +9,6 @@ namespace carom {
 
 namespace {
 
-/// A unit normal whose part off the active ones is shorter than this depends on them. Directions that are nearly
-/// dependent are known to rounding / length only: of less than this, the next dependent one looks independent. (A
-/// mass ratio of 1e9 makes 3e-5. A wedge of spheres of like size that is so narrow is passed with an overlap of 1e-15
-/// of their radii; planes make none: see carom::validate.)
-constexpr double dependent = 2e-8;
-/// In tolerances, which are 1e-13 of the sizes that occur: what a normal that depends on active ones may miss without
-/// being in conflict with them.
-constexpr double missed_by_dependent = 4e5;
-/// The same, in tolerances of units.
-constexpr double rounding_of_dependent = 1e4;
-constexpr int refinements = 2;
-
 /// Step (numbers and names are the paper's) of the dual method on unit normals; y is the way from the start in the
 /// metric's own coordinates x_k / sqrt(w_k).
 class DualActiveSet {
@@ -38,7 +26,7 @@ public:
         for (const double w : problem.w) root_.push_back(std::sqrt(w));
         multiplier_.assign(length_.size(), 0);
         skipped_.assign(length_.size(), 0);
-        steps_left_ = 100 + 20 * static_cast<int>(length_.size());
+        steps_left_ = dual_steps + dual_steps_each * static_cast<int>(length_.size());
     }
 
     DualActiveSetResult solve()
@@ -46,7 +34,7 @@ public:
         for (int polishes = 0;; ++polishes) {
             for (auto p = most_violated(); p && out_.conflict.empty(); p = most_violated()) activate(*p);
             refine();
-            if (polishes == refinements || !out_.conflict.empty() || !most_violated()) break;
+            if (polishes == dual_refinements || !out_.conflict.empty() || !most_violated()) break;
         }
         out_.projection.complete = out_.projection.complete && !most_violated();
         return std::move(out_);
@@ -108,11 +96,12 @@ private:
         const std::vector<double> normal = unit_normal(p);
         while (steps_left_-- > 0) {
             const ThinQr::Split split = qr_.split(normal);
-            const bool is_dependent = split.residual_norm2 <= dependent * dependent;
+            const bool is_dependent = split.residual_norm2 <= dependent_normal * dependent_normal;
             // Of a normal that depends on the active ones, what rounding leaves of a zero must not block.
             double least = 0;
             if (is_dependent)
-                for (const double c : split.coefficients) least = std::max({least, dependent, dependent * std::abs(c)});
+                for (const double c : split.coefficients)
+                    least = std::max({least, dependent_normal, dependent_normal * std::abs(c)});
             std::optional<std::size_t> blocking;
             double dual_step = 0;
             for (std::size_t j = 0; j < active_.size(); ++j) {
@@ -155,10 +144,10 @@ private:
     {
         // In a cone this is rounding: such a normal is minus a sum of active ones, its slack minus that of their zeros.
         skip(p);
-        if (is_satisfied(unit_slack(p), static_cast<std::size_t>(p), missed_by_dependent, rounding_of_dependent))
+        if (is_satisfied(unit_slack(p), static_cast<std::size_t>(p), missed_by_dependent, missed_units_by_dependent))
             return;
         for (std::size_t j = 0; j < active_.size(); ++j)
-            if (coefficients[j] < -dependent) out_.conflict.push_back(active_[j]);
+            if (coefficients[j] < -dependent_normal) out_.conflict.push_back(active_[j]);
         out_.conflict.push_back(p);
         out_.projection.complete = false;
     }
@@ -177,7 +166,7 @@ private:
         double largest = 0;
         for (const int i : active_) largest = std::max(largest, multiplier_[static_cast<std::size_t>(i)]);
         for (const int i : active_)
-            if (multiplier_[static_cast<std::size_t>(i)] > dependent * largest) out_.conflict.push_back(i);
+            if (multiplier_[static_cast<std::size_t>(i)] > dependent_normal * largest) out_.conflict.push_back(i);
         out_.projection.complete = false;
     }
 
@@ -193,7 +182,7 @@ private:
                 result.multipliers[k] = multiplier_[k] / length_[k];
                 push(problem_.half_spaces[k], problem_.w, result.multipliers[k], result.point);
             }
-            if (round == refinements || active_.empty()) break;
+            if (round == dual_refinements || active_.empty()) break;
             std::vector<double> missing;
             for (const int i : active_) {
                 const auto k = static_cast<std::size_t>(i);

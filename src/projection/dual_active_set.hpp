@@ -5,6 +5,7 @@
 #pragma once
 
 #include "projection/half_space.hpp"
+#include "projection/tolerances.hpp"
 
 namespace carom {
 
@@ -18,7 +19,7 @@ struct DualActiveSetResult {
 struct DualActiveSetOptions {
     /// Where the point lies farther away than this (in the metric) the half-spaces count as in conflict, those with a
     /// multiplier above rounding.
-    double largest_distance = 0x1.0p1000;
+    double largest_distance = any_distance;
     /// Slacks above -this, in units of the normal's length in the metric, count as satisfied, too.
     double unit_tolerance = 0;
 };

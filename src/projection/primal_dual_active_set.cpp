@@ -2,6 +2,7 @@
 
 #include "projection/dense_products.hpp"
 #include "projection/sparse_products.hpp"
+#include "projection/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@
 namespace carom {
 
 namespace {
-
-constexpr int most_rounds = 8;
 
 /// \tparam Products of the active normals, factored
 template <class Products>
@@ -29,7 +28,7 @@ public:
 
     Projection solve()
     {
-        for (out_.steps = 1; out_.steps <= most_rounds; ++out_.steps) {
+        for (out_.steps = 1; out_.steps <= most_set_changes; ++out_.steps) {
             if (!products_.follow(is_active_)) break;
             find_multipliers();
             if (!change_active()) {
@@ -49,7 +48,7 @@ private:
         for (int round = 0; round <= Products::refinements; ++round) {
             place_point();
             const double left = largest_slack();
-            if (round > 0 && (left <= problem_.tolerance / 8 || left > before / 2)) return;
+            if (round > 0 && (left <= refined_enough * problem_.tolerance || left > before / 2)) return;
             before = left;
             std::vector<double> missing(normals_.size(), 0);
             for (std::size_t i = 0; i < missing.size(); ++i)

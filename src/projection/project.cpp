@@ -19,11 +19,6 @@ bool is_satisfied(const ProjectionProblem& problem, const Component& part)
     return true;
 }
 
-/// Enough to tell most of the active half-spaces from the others.
-constexpr int first_sweeps = 30;
-/// What no solver finishes is left to sweeps, which never make it worse.
-constexpr int last_sweeps = 1000;
-
 Projection solve_dense(const ProjectionProblem& part, std::span<const double> guess)
 {
     Projection out;

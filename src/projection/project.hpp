@@ -4,6 +4,7 @@
 #pragma once
 
 #include "projection/half_space.hpp"
+#include "projection/tolerances.hpp"
 
 namespace carom {
 
@@ -14,8 +15,5 @@ Projection project(const ProjectionProblem& problem, std::span<const int> chosen
 
 /// All of them.
 Projection project(const ProjectionProblem& problem, std::span<const double> guess = {});
-
-/// Parts of more half-spaces are solved by sparse factors.
-inline constexpr std::size_t dense_limit = 80;
 
 }  // namespace carom

@@ -1,5 +1,7 @@
 #include "projection/shortest_change.hpp"
 
+#include "projection/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -37,9 +39,6 @@ Values sum(Values x, double factor, const Values& y)
     return x;
 }
 
-/// Part of a change that is as good as none.
-constexpr double negligible = 1e-10;
-
 class Search {
 public:
     Search(std::span<const UnitNormal> normals, const std::vector<char>& active, std::size_t vectors,
@@ -61,8 +60,8 @@ public:
         Step step = next;
         double size = product(gradient, next.direction);
         double left = product(residual, residual), slope = product(gradient, gradient);  // the least so far
-        const double enough = 0x1p-106 * left, hardly = 0x1p-100 * left;  // squares: the rounding of what is wanted
-        const std::size_t most = 20 + 2 * (residual.size() + 3 * vectors_);
+        const double enough = searched_enough * left, hardly = unmended * left;
+        const std::size_t most = search_steps + search_steps_each * (residual.size() + 3 * vectors_);
         double share = 1, shares = 0;  // of what no change can mend, in the multipliers
         for (std::size_t n = 0; n < most && slope > enough; ++n) {
             const Numbers image = times(step.direction);
@@ -92,7 +91,7 @@ public:
         // Without a factor combinations begin as residuals, and what is left of these at the end changes nothing: it
         // goes, if the search came so close that it really changes nothing.
         if (!options_.factor && left > hardly &&
-            shares * std::sqrt(slope) <= negligible * std::sqrt(product(change, change))) {
+            shares * std::sqrt(slope) <= negligible_change * std::sqrt(product(change, change))) {
             x = sum(std::move(x), -shares, residual);
             change = sum(std::move(change), -shares, gradient);
         }

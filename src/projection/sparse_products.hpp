@@ -3,6 +3,7 @@
 #pragma once
 
 #include "projection/active_factor.hpp"
+#include "projection/tolerances.hpp"
 
 namespace carom {
 
@@ -39,7 +40,7 @@ public:
         return out;
     }
 
-    static constexpr int refinements = 8;  ///< see DenseProducts
+    static constexpr int refinements = sparse_refinements;  ///< see DenseProducts
 
 private:
     std::span<const UnitNormal> normals_;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/expect.hpp"
+#include "scene/tolerances.hpp"
 
 namespace carom {
 
@@ -17,11 +18,9 @@ int binary_exponent(double x)
     return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> mantissa_bits) & exponent_mask;
 }
 
-// Far out all cells become one: slow there, but right, and no integer overflows.
 std::int64_t cell_number(double coordinate)
 {
-    constexpr double farthest = 0x1p60;
-    return static_cast<std::int64_t>(std::clamp(std::floor(coordinate), -farthest, farthest));
+    return static_cast<std::int64_t>(std::clamp(std::floor(coordinate), -farthest_cell_number, farthest_cell_number));
 }
 
 }  // namespace

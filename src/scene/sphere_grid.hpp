@@ -3,6 +3,8 @@
 /// no more than equal ones.
 #pragma once
 
+#include "scene/tolerances.hpp"
+
 #include <array>
 #include <carom/types.hpp>
 #include <cstddef>
@@ -26,7 +28,7 @@ public:
     void visit_near(const Vec3& position, double radius, Visit&& visit) const
     {
         for (const auto& level : levels_) {
-            const double reach = (radius + level.radius) * (1 + slack);
+            const double reach = (radius + level.radius) * (1 + grid_slack);
             const Cell low = cell_of(position.array() - reach, level.radius);
             const Cell high = cell_of(position.array() + reach, level.radius);
             if (cells_between(low, high) > static_cast<double>(level.newest.size())) {
@@ -56,7 +58,6 @@ private:
         std::size_t sphere;
         std::size_t older;  ///< next entry of the same cell
     };
-    static constexpr double slack = 1e-6;  // covers the rounding of cell numbers
     static constexpr std::size_t none = ~std::size_t{0};
 
     static double cells_between(const Cell& low, const Cell& high);

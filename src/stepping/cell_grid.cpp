@@ -1,6 +1,7 @@
 #include "stepping/cell_grid.hpp"
 
 #include "core/expect.hpp"
+#include "stepping/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,17 +10,12 @@ namespace carom::stepping {
 
 namespace {
 
-/// Places further than this many cells from the origin are handled one by one. Below it the rounding of position / edge
-/// stays under 2.4e-7 of a cell, less than the slack.
-constexpr double farthest_cell = 1 << 30;
-constexpr double slack = 1e-6;
 constexpr std::uint32_t nowhere = 0xffffffff;
-constexpr std::uint32_t fewest_cells = 64;  // with A = 5 the 27 cells around one are still distinct
 
 std::uint32_t cells_for(std::size_t spheres)
 {
     std::uint32_t cells = fewest_cells;
-    while (cells < 4 * spheres && cells < (1U << 30)) cells *= 2;
+    while (cells < cells_a_sphere * spheres && cells < most_cells) cells *= 2;
     return cells;
 }
 
@@ -41,7 +37,7 @@ std::uint32_t floor_to_cell(double x)
 }  // namespace
 
 CellGrid::CellGrid(std::size_t spheres, double largest_radius)
-    : per_cell_(1 / (2 * largest_radius * (1 + slack))),
+    : per_cell_(1 / (2 * largest_radius * (1 + cell_slack))),
       mask_(cells_for(spheres) - 1),
       stride_y_(odd_cube_root(mask_ + 1)),
       stride_z_(stride_y_ * stride_y_),
@@ -51,7 +47,7 @@ CellGrid::CellGrid(std::size_t spheres, double largest_radius)
       id_(2 * spheres),
       entry_(2 * spheres)
 {
-    CAROM_EXPECT(spheres < (1U << 30));
+    CAROM_EXPECT(spheres < most_cells);
     const std::uint32_t y = stride_y_, z = stride_z_;
     // Unsigned wrap-around is the modulo: 2^32 is a multiple of the number of cells.
     rows_ahead_ = {y - 1, z - y - 1, z - 1, z + y - 1};

@@ -2,6 +2,7 @@
 
 #include "study/clock.hpp"
 #include "study/largest.hpp"
+#include "study/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,7 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     const bool event_driven = std::holds_alternative<EventDriven>(method);
     const double until = std::isnan(options.run.until) ? scene.end_time : options.run.until;
 
-    // Looking at a few spheres costs less than reading the clocks.
-    constexpr std::size_t few = 30;
-    const bool dear = scene.spheres.size() > few;
+    const bool dear = scene.spheres.size() > study::few_to_look_at;
     study::Stopwatch watch;
     double largest_drift = 0, largest_kinetic = kinetic_energy(scene, start), deepest = 0;
     const auto look = [&](std::span<const BodyState> states) {
