@@ -1,5 +1,5 @@
 /// \file
-/// What the process returns (CONTRACT section 3).
+/// The exit codes of the process; README.md lists them.
 #pragma once
 
 #include <carom/simulate.hpp>

@@ -1,5 +1,5 @@
 /// \file
-/// Numbers and lists as users type them (CONTRACT section 3).
+/// Numbers and lists as users type them.
 #pragma once
 
 #include <string>

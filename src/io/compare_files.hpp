@@ -1,5 +1,5 @@
 /// \file
-/// The result of a comparison as compare.csv and compare.json (CONTRACT section 4).
+/// The result of a comparison as compare.csv and compare.json; `carom compare -h` says what the columns mean.
 #pragma once
 
 #include <carom/study.hpp>

@@ -1,5 +1,5 @@
 /// \file
-/// The result of one run as JSON, format carom-run/1 (CONTRACT section 4).
+/// The result of one run as JSON, format carom-run/1.
 #pragma once
 
 #include "io/limits.hpp"

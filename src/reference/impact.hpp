@@ -7,7 +7,7 @@
 
 namespace carom::reference {
 
-/// IMPACTS 1: the pair law, in which e, alpha and attenuation are exact doubles.
+/// The pair law (docs/impacts.md, section 1), in which e, alpha and attenuation are exact doubles.
 template <class Real>
 void impact_alone(const Group<Real>& g, std::vector<Vector<Real>>& v)
 {
@@ -39,7 +39,8 @@ void rub(const Group<Real>& g, std::vector<Vector<Real>>& v, const Numbers<Real>
     }
 }
 
-/// IMPACTS 2, and a last inelastic impact. \returns impulses; none if something approaches after all
+/// Several contacts (docs/impacts.md, section 3), and a last inelastic impact. \returns impulses; none if something
+/// approaches after all
 template <class Real>
 Numbers<Real> impact_together(const Group<Real>& g, std::vector<Vector<Real>>& v)
 {

@@ -98,7 +98,7 @@ private:
         }
     }
 
-    /// IMPACTS 1 for one contact, IMPACTS 2 for several.
+    /// Laws of one contact and of several: docs/impacts.md, sections 1 and 3.
     void impact(Group<Real> g, const Real& t)
     {
         Vectors v = balls_.velocities(g, t);

@@ -13,7 +13,7 @@ struct Persistence {
     bool turns = false;              ///< a contact carries force while its normal turns: no closed form
 };
 
-/// IMPACTS 3. \param g its links have a gap and a rate of 0, up to rounding
+/// Law: docs/impacts.md, section 6. \param g its links have a gap and a rate of 0, up to rounding
 template <class Real>
 Persistence<Real> persistence(const Group<Real>& g, std::vector<Vector<Real>> v, const Vector<Real>& gravity)
 {

@@ -1,5 +1,5 @@
 /// \file
-/// Impact of several contacts at one instant (IMPACTS 2) by their impulses alone: c = c0 + G x.
+/// Impact of several contacts at one instant (docs/impacts.md, section 3) by their impulses alone: c = c0 + G x.
 #pragma once
 
 #include "reference/cone.hpp"

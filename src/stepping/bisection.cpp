@@ -1,7 +1,6 @@
 /// \file
-/// Bisection, the handout's "go backward in time": move to the end of the substep; if spheres overlap there, find the
-/// first contact by bisection, respond there, and go on with the rest of the substep. What only crosses between two
-/// looks is missed.
+/// Bisection, going backward in time: move to the end of the substep; if spheres overlap there, find the first contact
+/// by bisection, respond there, and go on with the rest of the substep. What only crosses between two looks is missed.
 ///
 /// Each sphere carries its own moment: position at `since`, straight from there to its `target` at the end of the
 /// substep. A response changes two of them; only their contacts are looked for again. (The bookkeeping is this

@@ -1,7 +1,7 @@
 /// \file
 /// Naive: a response on velocity alone, for every overlapping contact, approaching or not, without correction of
 /// positions. A sphere that is still overlapping a step after its bounce is turned back into the wall: it sinks and
-/// sticks. The handout's warning, kept as a positive control.
+/// sticks. A warning, kept as a positive control.
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
 

@@ -1,7 +1,7 @@
 /// \file
 /// Position based: move, then, contact by contact, respond and project the overlap away. Later contacts may undo
 /// earlier corrections: the result is good for the last constraints visited, the walls. (Name: Mueller, Heidelberger,
-/// Hennix, Ratcliff, Position based dynamics, 2007. Rules: the handout's.)
+/// Hennix, Ratcliff, Position based dynamics, 2007.)
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
 

@@ -1,5 +1,5 @@
 /// \file
-/// What an impulse does to velocities: between two spheres, and at a plane (the handout's rules, IMPACTS section 1).
+/// Impulses and the velocities after them, between two spheres and at a plane (docs/impacts.md, section 1).
 #pragma once
 
 #include "stepping/bodies.hpp"

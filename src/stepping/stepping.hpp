@@ -11,10 +11,10 @@
 
 namespace carom {
 
-/// One entry for each discrete alternative of Method. \pre the scene is valid.
-/// Outcome: `counts.steps` are substeps, `max_events` bounds them; `max_penetration` as CONTRACT section 4 says;
-/// rest_times stay empty and event_hash 0. Options out of range give Status::unresolved with a message, a position that
-/// is no longer finite too.
+/// One entry for each discrete alternative of Method. \pre the scene is valid. Outcome: `counts.steps` are substeps,
+/// `max_events` bounds them; `max_penetration` is taken at the end of each substep, before correction; rest_times stay
+/// empty and event_hash 0. Options out of range give Status::unresolved with a message, a position that is no longer
+/// finite too.
 Outcome run_stepping(const Scene& scene, const PositionBased& method, const RunOptions& options,
                      const Observer& observer);
 Outcome run_stepping(const Scene& scene, const VelocityBased& method, const RunOptions& options,

@@ -27,10 +27,10 @@ struct PairImpacts {
 };
 using ExpectedImpacts = std::map<Pair, PairImpacts>;
 
-/// The reference's impacts for a method that resolves flights of `shortest_flight` (CONTRACT: 4 steps; 0 for the
-/// event-driven method, for which series stay closed). Series are expanded down to such flights. What is shorter is the
-/// tail: it begins at the last bounce that was preceded by a long enough flight, wherever the reference chose to start
-/// the series, and it lasts until the pair's next impact after the series. Persistent contacts are exempt between the
+/// The reference's impacts for a method that resolves flights of `shortest_flight` (4 steps; 0 for the event-driven
+/// method, for which series stay closed). Series are expanded down to such flights. What is shorter is the tail: it
+/// begins at the last bounce that was preceded by a long enough flight, wherever the reference chose to start the
+/// series, and it lasts until the pair's next impact after the series. Persistent contacts are exempt between the
 /// samples that show them, one sample beyond on both sides.
 ExpectedImpacts expected_impacts(const Scene& scene, const Reference& reference, double shortest_flight);
 

@@ -39,7 +39,7 @@ std::vector<double> time_runs(const RowTask& task, double first_seconds, const T
 /// Median; of an even number the mean of the middle two. \pre not empty
 double median(std::vector<double> values);
 
-/// 0.01 r_min: farther from the reference than this, a run has diverged (CONTRACT section 4) [length].
+/// Distance from the reference beyond which a run has diverged, 0.01 r_min [length].
 double divergence_threshold(const Scene& scene);
 
 }  // namespace carom::study

@@ -183,7 +183,7 @@ void ContactAudit::check_impulse(const Event& event, const Geometry& at, const G
     if (group.impulses + group.settles <= 1 && !group.loose) restitution_ = check_law(event, at.normal, group);
 }
 
-/// The impulse of a contact alone: -(1 + e) m w n - (1 - alpha) m v_t, m the reduced mass (course handout).
+/// The impulse of a contact alone: -(1 + e) m w n - (1 - alpha) m v_t, m the reduced mass (docs/impacts.md, section 1).
 double ContactAudit::check_law(const Event& event, const Vec3& normal, const Group& group)
 {
     const ContactLaw law = data_.law(event.a, event.b);
@@ -265,7 +265,8 @@ bool ContactAudit::is_jammed(BodyId body, const Vec3& push)
     return std::any_of(normals.begin(), normals.end(), [&](const Vec3& n) { return n.dot(push) < against; });
 }
 
-/// IMPACTS 2: slow closings, and those of contacts that closed a moment ago, unless all e = 1.
+/// Inelastic impacts (docs/impacts.md, section 4): slow closings, and those of contacts that closed a moment ago,
+/// unless all e = 1.
 bool ContactAudit::may_be_inelastic(const Event& event, double closing) const
 {
     constexpr double margin = 1 + 1e-9;

@@ -10,7 +10,7 @@
 
 namespace carom::verification {
 
-/// Relative to the smaller radius: how far a persistent contact may be from closed (DESIGN, promise 2).
+/// Distance of a persistent contact from closed, relative to the smaller radius, at most (docs/design.md, section 1).
 inline constexpr double contact_slack = 1e-9;
 /// The same of numeric pieces, whose paths are known roughly.
 inline constexpr double deepest_numeric = 1e-2;

@@ -29,8 +29,8 @@ bool RunData::is_along(const Vec3& a, int plane) const
     return (a - along).cwiseAbs().maxCoeff() <= 16 * u * size;
 }
 
-/// CONTRACT section 2: the smaller value of two materials holds; `tangential` acts at planes, between spheres only if a
-/// contact entry gives it; entries override.
+/// Laws of materials (docs/impacts.md, section 1): the smaller value of two materials holds; `tangential` acts at
+/// planes, between spheres only if a contact entry gives it; entries override.
 ContactLaw RunData::law(BodyId a, BodyId b) const
 {
     const bool with_plane = b >= spheres();

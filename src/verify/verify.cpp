@@ -13,7 +13,7 @@ namespace verification {
 
 namespace {
 
-/// CONTRACT section 4: FNV-1a 64 over seven words an event.
+/// The event hash (docs/recording.md): FNV-1a 64 over seven words an event.
 class EventHash {
 public:
     void add(const Event& e)

@@ -82,7 +82,7 @@ TEST_CASE("a head-on pair of unequal masses and restitution leaves as the formul
     CHECK(run.events[0].impulse.x() == Approx(-j).epsilon(1e-14));
 }
 
-TEST_CASE("attenuation is the handout's: both velocities times alpha after the exchange, and a moving frame shows it")
+TEST_CASE("attenuation multiplies both velocities after the exchange, and a moving frame shows it")
 {
     const auto leave = [](double frame) {
         Scene scene = empty_scene(3);

@@ -30,7 +30,7 @@ inline RecordedRun described(const Scene& scene)
     return run;
 }
 
-/// The hash of CONTRACT section 4, written once more.
+/// The event hash of docs/recording.md, written once more.
 inline std::uint64_t hash_of(const std::vector<Event>& events)
 {
     std::uint64_t hash = 0xcbf29ce484222325u;
