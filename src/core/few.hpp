@@ -11,7 +11,8 @@
 
 namespace carom {
 
-/// Up to `most` values. Places that hold none are left as they are, for an event makes many lists and fills few.
+/// A list of up to `most` values. Places that hold none are left as they are, for an event makes many lists and fills
+/// few.
 template <class T, std::size_t most>
 class Few {
     static_assert(std::is_trivially_destructible_v<T>);

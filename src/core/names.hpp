@@ -11,7 +11,7 @@
 
 namespace carom {
 
-/// \pre value is one that has a name
+/// The name of `value`. \pre it has one
 template <class Enum, std::size_t N>
 std::string_view name_of(Enum value, const std::array<std::string_view, N>& names)
 {

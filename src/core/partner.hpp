@@ -1,5 +1,5 @@
 /// \file
-/// What a sphere meets.
+/// The partner of a sphere in a contact.
 #pragma once
 
 #include <carom/types.hpp>
