@@ -11,7 +11,7 @@ namespace carom {
 
 class DisjointSets {
 public:
-    /// 0 to count - 1, each a set of its own.
+    /// The numbers 0 to count - 1, each in a set of its own.
     explicit DisjointSets(std::size_t count) : parent_(count)
     {
         std::iota(parent_.begin(), parent_.end(), std::size_t{0});

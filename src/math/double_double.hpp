@@ -22,7 +22,7 @@ struct DoubleDouble {
     constexpr DoubleDouble operator-() const { return {-high, -low}; }
 };
 
-/// AccurateDWPlusDW
+/// Sum: AccurateDWPlusDW of the paper.
 inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b)
 {
     const Sum s = two_sum(a.high, b.high), t = two_sum(a.low, b.low);
@@ -34,7 +34,7 @@ inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b)
     return a + (-b);
 }
 
-/// DWTimesDW2
+/// Product: DWTimesDW2 of the paper.
 inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b)
 {
     const Sum p = two_product(a.high, b.high);
@@ -51,7 +51,7 @@ inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b)
     return DoubleDouble(fast_two_sum(q1, q2)) + DoubleDouble(rest.high / b.high);
 }
 
-/// 0 for a <= 0.
+/// The square root; 0 for a <= 0.
 inline DoubleDouble sqrt(DoubleDouble a)
 {
     if (!(a.high > 0)) return {};

@@ -21,13 +21,13 @@ public:
     Dyadic(DoubleDouble value);  // NOLINT
     explicit Dyadic(std::int64_t value);
 
-    /// -1, 0 or 1, always right.
+    /// The sign, -1, 0 or 1: always right.
     int sign() const { return sign_; }
 
-    /// value * 2^shift to 2^-104 of itself; infinite beyond the range of doubles.
+    /// The value times 2^shift, to 2^-104 of itself; infinite beyond the range of doubles.
     DoubleDouble rounded(int shift = 0) const;
 
-    /// e with 2^(e-1) <= |value| < 2^e, as frexp has it; 0 for 0.
+    /// Exponent e with 2^(e-1) <= |value| < 2^e, as frexp has it; 0 for 0.
     int exponent() const;
 
     Dyadic operator-() const;

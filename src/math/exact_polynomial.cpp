@@ -134,7 +134,7 @@ void halve(const ExactPolynomial& g, Isolated& where)
 
 namespace {
 
-/// Halfway through the bit patterns of two doubles >= 0: 64 halvings exhaust any bracket.
+/// The double halfway through the bit patterns of two doubles >= 0: 64 halvings exhaust any bracket.
 double middle_pattern(double low, double high)
 {
     const auto a = std::bit_cast<std::int64_t>(low), b = std::bit_cast<std::int64_t>(high);
@@ -174,7 +174,7 @@ Isolated neighbours(const ExactPolynomial& g, const Isolated& where, double gues
             (sign == sign_low ? low : high) = x;
     };
     look_at(guess);
-    // Around the guess, ever wider, until the root is caught.
+    // Looks around the guess, ever wider, until the root is caught.
     for (double width = first_catch; width < widest_catch && low < high; width *= catch_growth) {
         const double before_low = low, before_high = high;
         look_at(guess * (1 - width));

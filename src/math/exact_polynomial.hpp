@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// A point of time: a double, and what lies between two of them if it must.
+/// A point of time: a double, and a rest for points between two doubles.
 struct Point {
     double value = 0;
     Dyadic rest;  ///< most often 0
@@ -18,30 +18,31 @@ struct Point {
     bool is_double() const { return rest.sign() == 0; }
 };
 bool operator==(const Point& a, const Point& b);
-/// Halfway, to the last bit.
+/// The point halfway between two, to the last bit.
 Point between(const Point& a, const Point& b);
 
-/// c[0] + c[1] x + ...
+/// A polynomial c[0] + c[1] x + ...
 class ExactPolynomial {
 public:
     ExactPolynomial() = default;
     explicit ExactPolynomial(std::vector<Dyadic> coefficients);
 
     const std::vector<Dyadic>& coefficients() const { return c_; }
-    /// -1 for the zero polynomial.
+    /// The degree; -1 for the zero polynomial.
     int degree() const { return static_cast<int>(c_.size()) - 1; }
     ExactPolynomial derivative() const;
 
-    /// Always right: in double-double where its bound tells, else exactly. \pre x >= 0
+    /// The sign at a point, always right: in double-double where its bound tells, else exactly. \pre x >= 0
     int sign(const Point& x) const;
     int sign_at_infinity() const { return c_.empty() ? 0 : c_.back().sign(); }
-    /// To the rounding of double-double, in a unit in which the largest coefficient is of order 1.
+    /// The value at a point, to the rounding of double-double, in a unit in which the largest coefficient is of order
+    /// 1.
     DoubleDouble value(double x) const;
-    /// 2^unit is that unit.
+    /// Exponent of that unit, 2^unit.
     int unit() const { return unit_; }
 
     friend ExactPolynomial operator*(const ExactPolynomial& a, const ExactPolynomial& b);
-    /// -(a mod b) times a positive number. \pre b != 0
+    /// The remainder -(a mod b), times a positive number. \pre b != 0
     friend ExactPolynomial negative_remainder(const ExactPolynomial& a, const ExactPolynomial& b);
 
 private:
@@ -67,7 +68,7 @@ int sign_at_root(const ExactPolynomial& g, const ExactPolynomial& q, const Isola
 /// Halves an interval on whose ends g has opposite signs.
 void halve(const ExactPolynomial& g, Isolated& where);
 
-/// Of such an interval the root as Newton's iteration in double-double finds it. No more than a guess.
+/// A guess of the root in such an interval, as Newton's iteration in double-double finds it.
 double root_guess(const ExactPolynomial& g, const Isolated& where);
 
 /// Shrinks such an interval to two neighbouring doubles, or to the root if it is a double.

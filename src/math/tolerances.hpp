@@ -26,7 +26,7 @@ inline constexpr std::int64_t beyond_doubles = 1'000'000;
 /// multiplies (5 u^2) and adds (3 u^2), 64 u^2 = 2^-100 in all, and coefficients are rounded to 2^-104; 2^-98 has room
 /// (src/toi/ERROR_BOUNDS.md, "Unequal accelerations").
 inline constexpr double horner_rounding = 0x1p-98;
-/// What underflow adds to it [unit of the largest coefficient]: 2^-1074 a step, magnified by at most
+/// Underflow's part of that error [unit of the largest coefficient]: 2^-1074 a step, magnified by at most
 /// (`largest_horner_point`)^8 = 2^160; the rest is slack.
 inline constexpr double horner_underflow = 0x1p-900;
 /// Point [unit of the polynomial's variable] up to which `horner_underflow` holds; signs farther out are exact ones.
