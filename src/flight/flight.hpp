@@ -11,7 +11,8 @@
 
 namespace carom {
 
-/// "Same acceleration" is a question of ids, never a comparison of floats.
+/// Number of an acceleration in the table of a run. Two accelerations are the same if their numbers are: floats are
+/// never compared.
 using AccelerationId = std::int32_t;
 
 /// The accelerations that occur in a run: none, gravity, gravity along each plane for what rests or slides on it, and
@@ -33,7 +34,7 @@ public:
         table_[at] = value;
     }
 
-    /// Those that do not belong to one body.
+    /// The number of entries that belong to no body; those of bodies come after them.
     AccelerationId shared() const { return shared_; }
     bool has_gravity() const { return has_gravity_; }
     const Vec3& operator[](AccelerationId id) const { return table_[static_cast<std::size_t>(id)]; }
@@ -52,7 +53,7 @@ struct Flight {
     AccelerationId acceleration = Accelerations::none;
 };
 
-/// x(dt) - x(0) = dt (v + a dt/2) [length].
+/// The way x(dt) - x(0) of a flight: dt (v + a dt/2) [length].
 inline Vec3 displacement(const Vec3& velocity, const Vec3& acceleration, double dt)
 {
     return dt * (velocity + (0.5 * dt) * acceleration);

@@ -43,8 +43,9 @@ private:
     EpochTime in_later_epoch(const EpochTime& from, double dt) const;
 };
 
-/// Epoch: short enough that u * epoch_length * (highest speed that the energy allows) stays below u * smallest radius;
-/// cells: a little above the smallest diameter. Pure functions of the scene.
+/// The rulers of a scene. Epochs: so short that a sphere goes at most the smallest radius in one, at the speed that the
+/// lightest would have with all the kinetic energy of the start and a fall through the scene. Cells: more than one
+/// smallest diameter, at most two. Pure functions of the scene.
 Frame make_frame(const Scene& scene);
 
 /// A place: cell * cell_size + local + low, 0 <= local < cell_size in each coordinate [length].
@@ -54,11 +55,12 @@ struct Place {
     double low[3] = {0, 0, 0};  ///< what `local` lacks, in certified runs of bodies in free flight; else 0
 };
 
-/// Exact, unless a coordinate is beyond 2^62 cells.
+/// The place of a position: exact, unless a coordinate is beyond 2^62 cells.
 Place place_at(const Frame& frame, const Vec3& position);
-/// local[k] = sum, in whatever cell that is.
+/// Coordinate k of a place becomes `sum`, counted from its present cell [length].
 void put_into_cell(const Frame& frame, Place& place, int k, double sum);
-/// Move by a displacement and renormalise; rounds to u (|displacement| + cell_size).
+/// A place moved by a displacement [length], local coordinates back within a cell; rounds to u (|displacement| +
+/// cell_size).
 inline Place moved(const Frame& frame, const Place& from, const Vec3& displacement)
 {
     Place to = from;
@@ -69,7 +71,7 @@ inline Place moved(const Frame& frame, const Place& from, const Vec3& displaceme
     }
     return to;
 }
-/// Rounded to doubles [length].
+/// The position of a place, rounded to doubles [length].
 Vec3 position_of(const Frame& frame, const Place& place);
 
 /// The largest power of two <= x, for finite x > 0.
