@@ -36,12 +36,12 @@ struct Cut {
     bool is_minimum;  ///< of H
 };
 
-/// Roots of functions of which the pieces between some points are known to be monotone.
+/// Roots of functions whose pieces between some points are known to be monotone.
 class Pieces {
 public:
     explicit Pieces(const QuarticGap& gap) : gap_(gap) {}
 
-    /// Where F turns, in order of time.
+    /// The turns of F, in order of time.
     std::vector<Turn> turns()
     {
         std::vector<Turn> out;
@@ -78,7 +78,7 @@ public:
         return narrow(g, root);
     }
 
-    /// Beyond the roots, or all but the end of the times that are looked at; not a root.
+    /// A point beyond the roots, or near the end of the times that are looked at; no root itself.
     static Point end_of(const ExactPolynomial& g)
     {
         Point end{root_bound(g), {}};
@@ -86,7 +86,7 @@ public:
         return end;
     }
 
-    /// Of a polynomial just after t = 0.
+    /// The sign of a polynomial just after t = 0.
     static int sign_after_start(const ExactPolynomial& g)
     {
         for (const Dyadic& c : g.coefficients())
@@ -99,7 +99,8 @@ private:
 
     const ExactPolynomial& rate_of(const ExactPolynomial& g) const { return &g == &gap_.f ? gap_.h : gap_.h_rate; }
 
-    /// A maximum of H that is 0 does not lift F out of its fall, a minimum that is 0 does not let it fall.
+    /// The sign of H at a cut. A maximum of H that is 0 does not lift F out of its fall, a minimum that is 0 does not
+    /// let it fall.
     int sign_at_cut(const Cut& cut) const
     {
         const int sign = sign_at_root(gap_.h_rate, gap_.h, cut.where);
@@ -136,7 +137,7 @@ private:
     }
     Isolated isolate(const Point& low, const Point& high) const { return narrow(gap_.h_rate, {low, high}); }
 
-    /// To neighbouring doubles, or closer if the ends lie between doubles.
+    /// The interval narrowed to neighbouring doubles, or closer if its ends lie between doubles.
     static Isolated narrow(const ExactPolynomial& g, const Isolated& where)
     {
         const Point first{rounded_up(where.low), {}}, last{rounded_down(where.high), {}};
@@ -198,8 +199,8 @@ Enclosure<double> enclose_accelerated(const ExactMotion& motion)
         const Enclosure<double> out = enclose(gap);
         if (out.decided != Decision::impact || out.t_hi == 0 || std::ldexp(out.t_lo, -time) > too_early) return out;
     }
-    // In seconds every double is an answer; signs take longer. Turns beyond the horizon hide no contact before it:
-    // where they are so late, falls are so steep that contact and turn are one.
+    // Time in seconds: every double is an answer, and signs take longer. Turns beyond the horizon hide no contact
+    // before it: if they are so late, falls are so steep that contact and turn are one.
     return enclose(quartic_gap(motion, 0));
 }
 

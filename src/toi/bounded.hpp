@@ -19,7 +19,7 @@ inline double head(DoubleDouble x)
     return x.high;
 }
 
-/// |value - exact| <= error.
+/// A number whose exact value is known to within an error: |value - exact| <= error.
 template <class Number>
 struct BoundedNumber {
     Number value{};
@@ -40,12 +40,12 @@ struct BoundedNumber {
     bool at_most_zero() const { return !open && sign <= 0; }
     bool at_least_zero() const { return !open && sign >= 0; }
 
-    /// Nothing smaller is known to be meant.
+    /// The size that the exact value may have, but for a factor of 2: the larger of value and error.
     double size() const { return std::max(std::abs(head(value)), error); }
 };
 using Bounded = BoundedNumber<DoubleDouble>;
 
-/// \param scale what the error is held against, >= 0
+/// Whether an exact value is worth its cost: the sign is open, or the error large beside `scale`. \param scale >= 0
 inline bool is_blunt(const Bounded& x, double scale)
 {
     return x.open || x.error > sharp_enough * scale;

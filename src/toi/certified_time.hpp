@@ -23,7 +23,7 @@ struct ExactMotion;
 
 CertifiedTime certified_time(const ExactMotion& motion);
 
-/// Of spheres in uniform relative motion, given exactly.
+/// The time for spheres in uniform relative motion, given exactly.
 CertifiedTime certified_time(const DoubleDouble3& r, const DoubleDouble3& v, DoubleDouble contact_distance);
 
 struct ScenePlane;

@@ -11,7 +11,7 @@ namespace carom {
 
 namespace {
 
-/// What input errors add to the bounds of level 0; the derivation is that of SphereLevel1.
+/// Widening of the bounds of level 0 by input errors; derivation in ERROR_BOUNDS.md, "Input errors".
 void widen(SphereQuadratic& q, const Vec3& r, const Vec3& v, double s, const SphereInputError& e)
 {
     const Vec3 rs = r.cwiseAbs(), vs = v.cwiseAbs();
@@ -49,7 +49,7 @@ Enclosure<double> solve_level_0(const Vec3& r, const Vec3& v, double s, const Sp
     return {certain ? Decision::impact : Decision::ambiguous, wide.t.high, wide.t_lo.high, wide.t_hi.high, 0};
 }
 
-/// Error bounds only grow; what underflows here is covered by the bounds' own terms.
+/// Input errors in other units. Underflow here is covered by the bounds' own terms.
 SphereInputError scaled(const SphereInputError& e, int length, int speed)
 {
     return {std::ldexp(e.r, length), std::ldexp(e.v, speed), std::ldexp(e.s, length)};

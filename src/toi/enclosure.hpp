@@ -2,8 +2,8 @@
 /// Certified times of impact: no answer but "ambiguous" can be wrong, and the exact time lies in the interval returned.
 /// For callers whose relative state is a rounding of something exact; how far it is from that goes in, too.
 ///
-/// An event is defined in NUMERICS: the first t >= 0 at which the gap is <= 0 and closes. Derivation of every bound:
-/// src/toi/ERROR_BOUNDS.md.
+/// The event is the first t >= 0 at which the gap is <= 0 and closes (docs/numerics.md, section 1). Derivation of every
+/// bound: src/toi/ERROR_BOUNDS.md.
 #pragma once
 
 #include "math/double_double.hpp"
@@ -21,7 +21,7 @@ enum class Decision : std::uint8_t {
     ambiguous  ///< the error bounds do not decide; if there is an impact, it lies within [t_lo, t_hi]
 };
 
-/// Number: double or DoubleDouble.
+/// An answer with an interval that contains the exact time. \tparam Number double or DoubleDouble
 template <class Number>
 struct Enclosure {
     Decision decided = Decision::none;
@@ -29,8 +29,7 @@ struct Enclosure {
     std::uint8_t level = 0;      ///< arithmetic that decided: 0 double, 1 double-double, 2 exact
 };
 
-/// How far the numbers that go in may be from what is meant: absolute, for each component. All 0: they are meant
-/// exactly.
+/// Errors of the numbers that go in against what is meant: absolute, for each component. All 0: they are meant exactly.
 struct SphereInputError {
     double r = 0, v = 0, s = 0;  ///< [length], [length/time], [length]
 
@@ -46,16 +45,16 @@ Enclosure<double> enclose(const Vec3& r, const Vec3& v, double contact_distance,
 Enclosure<DoubleDouble> enclose(const DoubleDouble3& r, const DoubleDouble3& v, DoubleDouble contact_distance,
                                 const SphereInputError& error = {});
 
-/// As for spheres: of the height, its rate and its acceleration.
+/// Errors of height, rate and acceleration, as for spheres.
 struct PlaneInputError {
     double h = 0, w = 0, g = 0;
 
     bool any() const { return h > 0 || w > 0 || g > 0; }
 };
 
-/// A sphere and a plane: the first t >= 0 at which h + w t + g t^2/2 <= 0 and falls. h <= 0 with w < 0 is now; with
-/// w > 0 > g it is the return, or the apex of a path that stays inside. Where only the sign of h is open the answer
-/// is still certain: w < 0 arrives at once or very soon, w > 0 has just left.
+/// A sphere and a plane: the first t >= 0 at which h + w t + g t^2/2 <= 0 and falls. h <= 0 with w < 0 is now; with w >
+/// 0 > g it is the return, or the apex of a path that stays inside. If only the sign of h is open, the answer is still
+/// certain: w < 0 arrives at once or very soon, w > 0 has just left.
 Enclosure<double> enclose_plane(double h, double w, double g, const PlaneInputError& error = {});
 Enclosure<DoubleDouble> enclose_plane(DoubleDouble h, DoubleDouble w, DoubleDouble g,
                                       const PlaneInputError& error = {});

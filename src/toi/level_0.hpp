@@ -53,13 +53,13 @@ inline SphereQuadratic sphere_quadratic(double rx, double ry, double rz, double 
 
 // & and |, not && and ||: without branches a loop over these vectorises.
 
-/// Certainly separating or certainly passing.
+/// Whether the spheres certainly separate or certainly pass.
 inline bool certainly_none(const SphereQuadratic& q)
 {
     return (q.b > q.b_error) | (q.d < -q.d_error);
 }
 
-/// Certainly an impact later than now, and the enclosure holds.
+/// Whether there certainly is an impact, later than now, and the enclosure holds.
 inline bool certainly_impact(const SphereQuadratic& q)
 {
     return (q.b < -quotient_holds_from * q.b_error) & (q.d > quotient_holds_from * q.d_error) &
@@ -71,7 +71,7 @@ struct TimeEnclosure {
     double t, lo, hi;
 };
 
-/// Of the first root. \pre certainly_impact
+/// The time of the first root. \pre certainly_impact
 inline TimeEnclosure time_enclosure(const SphereQuadratic& q)
 {
     // t = C / den and its relative error (c_error / C + (b_error s + d_error) / (den s)), with one division for both.
@@ -89,7 +89,7 @@ inline double time_lower_bound(const SphereQuadratic& q)
     return (q.c - q.c_error) / (s + (q.b_error - q.b)) * (1 - level_0::time_rounding);
 }
 
-/// Neither squares nor products of this query leave the range in which the bounds hold. Implies that the largest
+/// Whether no square and no product of this query leaves the range in which the bounds hold. Implies that the largest
 /// components are moderate (scaling.hpp).
 inline bool is_moderate(const SphereQuadratic& q)
 {

@@ -30,7 +30,7 @@ struct ExactSphere {
     }
 };
 
-/// For callers that know their numbers only to within an error: nothing can be settled.
+/// No exact values: for callers that know their numbers only to within an error.
 struct NoExactSphere {
     static constexpr bool available = false;
     int exponent_of_b() const { return 0; }
@@ -54,13 +54,13 @@ struct SphereLevel1 {
 /// The largest relative error that the time formula may have with these values; above 1/4 it is useless.
 double time_error(const Bounded& b, const Bounded& c, const Bounded& d, double root, double denominator);
 
-/// In plain double, for values whose bounds are wide: all that is certain if there is an impact at all.
+/// The interval in plain double, for values whose bounds are wide: all that is certain if there is an impact at all.
 void widest_times(const Bounded& b, const Bounded& c, const Bounded& d, Enclosure<DoubleDouble>& out);
 
-/// Another unit of time. A time beyond the range of doubles is none.
+/// The answer in another unit of time. A time beyond the range of doubles is none.
 void rescale_time(Enclosure<DoubleDouble>& out, int exponent);
 
-/// \pre the larger of r and S and the largest of v lie within 2^-100 .. 2^100.
+/// The answer to a scaled query. \pre the larger of r and S and the largest of v lie within 2^-100 .. 2^100.
 template <class Exact>
 Enclosure<DoubleDouble> solve_level_1(const SphereLevel1& q, const Exact& exact_values)
 {

@@ -57,7 +57,7 @@ inline int floor_half(int x)
     return x >= 0 ? x / 2 : -((1 - x) / 2);
 }
 
-/// Heights of order 1, and a time in which the larger of w and g is of order 1.
+/// The numbers of a query in units in which the height, and the larger of w and g, are of order 1.
 template <class Number>
 PlaneNumbers<Number> plane_numbers(const BoundedNumber<Number>& h, const BoundedNumber<Number>& w,
                                    const BoundedNumber<Number>& g)
@@ -93,7 +93,7 @@ PlaneNumbers<Number> plane_numbers(const BoundedNumber<Number>& h, const Bounded
     return n;
 }
 
-/// w^2 - 2 g h. Each product carries two roundings, the difference one more.
+/// The discriminant w^2 - 2 g h with its bound.
 template <class Number>
 BoundedNumber<Number> plane_discriminant(const PlaneNumbers<Number>& n)
 {

@@ -13,7 +13,8 @@
 
 namespace carom {
 
-/// For callers that know h, w, g only to within an error. One that knows them exactly offers them as h(), w(), g().
+/// No exact values: for callers that know h, w, g only to within an error. One that knows them exactly offers them as
+/// h(), w(), g().
 struct NoExactPlane {
     static constexpr bool available = false;
     Dyadic h() const { return {}; }
@@ -63,7 +64,7 @@ private:
                        2 * (h + n.h.error) / (w - n.w.error + lower_root(d)), n.time);
     }
 
-    /// Leaves the plane, or is on its way out from inside, and comes back.
+    /// A sphere that leaves the plane, or is on its way out from inside, and comes back.
     Enclosure<Number> rising()
     {
         const auto n = plane_numbers(h_, w_, g_);
@@ -76,7 +77,7 @@ private:
         return coming_back(n, d, pull_relative);
     }
 
-    /// From outside, pulled, its speed 0 or of unknown sign.
+    /// A sphere outside, pulled towards the plane, its speed 0 or of unknown sign.
     Enclosure<Number> arriving()
     {
         const auto n = plane_numbers(h_, w_, g_);

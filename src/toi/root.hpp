@@ -1,5 +1,5 @@
 /// \file
-/// What a time-of-impact query answers.
+/// The answer of a time-of-impact query.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// Products of four such factors, and their rounding errors, neither overflow nor lose bits.
+/// Whether products of four such factors, and their rounding errors, neither overflow nor lose bits.
 inline bool is_moderate(double x)
 {
     return x > smallest_moderate && x < largest_moderate;

@@ -7,7 +7,7 @@ namespace carom {
 
 namespace {
 
-/// n.x less some numbers.
+/// The dot product n.x less some numbers.
 Bounded bounded_dot(const Vec3& n, const Vec3& x, const double* less, int count)
 {
     DoubleDouble sum;

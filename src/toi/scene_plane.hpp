@@ -16,7 +16,7 @@ struct ScenePlane {
     double offset = 0, half_thickness = 0, radius = 0;
     Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), acceleration = Vec3::Zero();
 
-    /// n.x - d alone, the side on which the centre is.
+    /// The height n.x - d of the centre; its sign is the side of a plate on which the centre is.
     Bounded bounded_height() const;
     Dyadic height() const;
 

@@ -36,7 +36,7 @@ Root solve(const Vec3& r, const Vec3& v, double s)
 
 Root sphere_sphere_root(const Vec3& r, const Vec3& v, double contact_distance)
 {
-    // Half of all queries end here. Whatever overflows or underflows does not pass for "certainly separating".
+    // A quick exit: half of all queries end here. An overflow or underflow does not pass for "certainly separating".
     const double p1 = r.x() * v.x(), p2 = r.y() * v.y(), p3 = r.z() * v.z();
     if (p1 + p2 + p3 > level_0::b_rounding * (std::abs(p1) + std::abs(p2) + std::abs(p3)) + b_underflow) return {};
 

@@ -66,7 +66,8 @@ private:
     const AcceleratedMotion& m_;
 };
 
-/// Between two positive doubles, halfway through their bit patterns: 64 halvings exhaust any bracket.
+/// The double halfway through the bit patterns of two positive ones, or their mean if they are close: 64 halvings
+/// exhaust any bracket.
 double middle(double low, double high)
 {
     if (high < mean_is_middle * low || low == 0) {
@@ -101,7 +102,7 @@ double refine(const Function& function, const Rate& rate, double low, double hig
     return high;
 }
 
-/// Later than the last change of direction: a time at which H >= 0, or infinity.
+/// A time after the last change of direction at which H >= 0, or infinity.
 double time_of_growth(const GapFunction& gap, const AcceleratedMotion& m, double from)
 {
     const double a = std::sqrt(m.a.squaredNorm());

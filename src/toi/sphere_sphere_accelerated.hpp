@@ -18,7 +18,7 @@ struct AcceleratedMotion {
 /// First t >= 0 at which |p(t)| <= S and the distance shrinks; where the spheres overlap and separate, the next time
 /// that they close. The quartic F = |p|^2 - S^2 is never expanded into coefficients: roots of H' (a quadratic) cut time
 /// into monotone pieces of H = p.w = F'/2, the roots of H cut it into monotone pieces of F, and F is evaluated
-/// geometrically. Where a sign lies within rounding it is evaluated in double-double. Method: this project.
+/// geometrically. A sign within the rounding of double is evaluated in double-double. Method: this project.
 Root sphere_sphere_accelerated_root(const AcceleratedMotion& motion);
 
 }  // namespace carom

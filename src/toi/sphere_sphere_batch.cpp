@@ -10,7 +10,7 @@ inline double code_of(const SphereQuadratic& q)
     return is_moderate(q) ? code : 2.0;
 }
 
-/// Codes become statuses, 2 standing for touching as long as it is open. Is any of them?
+/// Statuses from codes, 2 standing for touching as long as it is open. \returns whether one is open
 inline bool statuses(const BatchBlock& b, std::size_t count, const double* code)
 {
     ImpactStatus* __restrict status = b.status;

@@ -18,7 +18,8 @@ struct BatchBlock {
     ImpactStatus* status;
 };
 
-/// The whole interval, or the lower end alone (t and t_hi may be null). Is anything left to another level?
+/// Level 0 of a block: the whole interval, or the lower end alone (t and t_hi may be null). \returns whether something
+/// is left to another level
 /// \pre count <= batch_block
 bool solve_block(const BatchBlock& block, std::size_t count);
 bool solve_block_lower(const BatchBlock& block, std::size_t count);

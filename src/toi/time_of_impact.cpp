@@ -36,7 +36,7 @@ Vec3 position_at(const MovingSphere& s, double t)
     return s.position + t * (s.velocity + (0.5 * t) * s.acceleration);
 }
 
-/// x / |x| whatever its exponent; zero for zero.
+/// The direction x / |x| whatever the exponent of x; zero for zero.
 Vec3 direction(const DoubleDouble3& x)
 {
     const Vec3 heads(x.x.high, x.y.high, x.z.high);
@@ -46,14 +46,15 @@ Vec3 direction(const DoubleDouble3& x)
     return shorter / std::sqrt(shorter.squaredNorm());
 }
 
-/// Is |x| at most the contact distance, to some digits?
+/// Whether |x| is at most the contact distance, to some digits.
 bool has_digits(const DoubleDouble3& x, DoubleDouble contact_distance)
 {
     const Vec3 in_contact_distances = Vec3(x.x.high, x.y.high, x.z.high) / contact_distance.high;
     return in_contact_distances.squaredNorm() < has_contact_digits;
 }
 
-/// All by one power of two, which leaves the time as it is: products of small numbers must not underflow.
+/// The plane in a unit of length that is smaller by a power of two, which leaves the time as it is: products of small
+/// numbers must not underflow.
 ScenePlane scaled_up(ScenePlane p)
 {
     const double most = std::max({largest(p.position), largest(p.velocity), largest(p.acceleration), std::abs(p.offset),
@@ -64,8 +65,7 @@ ScenePlane scaled_up(ScenePlane p)
     return p;
 }
 
-/// Can a double hold the time? Where products of the query underflow, exact signs may see an impact that comes later
-/// than that.
+/// Whether a double holds the time: if products of the query underflow, exact signs may see an impact that comes later.
 bool is_representable(const CertifiedTime& time)
 {
     return 0 <= time.t_lo && time.t_lo <= time.t && time.t <= time.t_hi &&
@@ -87,7 +87,8 @@ TimeOfImpact time_of_impact(const MovingSphere& a, const MovingSphere& b)
     const DoubleDouble3 velocity = motion.v + t * motion.a;
     const DoubleDouble3 apart = motion.r + t * (motion.v + (DoubleDouble(0.5) * t) * motion.a);
     Vec3 normal = direction(apart);
-    // From more than some 2^100 contact distances away no digit of the contact is left, only that they approach.
+    // The direction of approach stands for the normal where no digit of the contact is left, some 2^100 contact
+    // distances away.
     if (time.t > 0 && (normal.isZero(0) || !has_digits(apart, motion.contact_distance))) normal = -direction(velocity);
     // Centres that coincide at relative speed 0 can only part.
     if (normal.isZero(0)) return out;
@@ -127,7 +128,7 @@ TimeOfImpact time_of_impact(const MovingSphere& sphere, const Plane& plane)
     out.normal = over.normal;
     const DoubleDouble t = time.sharp, half = 0.5;
     const DoubleDouble h = over.bounded_h().value, w = over.bounded_w().value, g = over.bounded_g().value;
-    // Below the centre by the radius, and by the gap that is left where the motion began inside.
+    // The point lies below the centre by the radius, and by the gap that is left if the motion began inside.
     const double gap_then = h.high <= 0 ? (h + t * (w + half * t * g)).high : 0;
     out.point = position_at(sphere, time.t) - (sphere.radius + gap_then) * out.normal;
     out.approach_speed = std::max(0.0, -(w + t * g).high);

@@ -16,7 +16,7 @@ namespace carom {
 
 namespace {
 
-/// Whatever level 0 cannot tell, and lengths that are to be scaled.
+/// The time of a pair that level 0 cannot tell, or whose lengths are to be scaled.
 ImpactTime slow_time_of_impact(const Vec3& r, const Vec3& v, double s)
 {
     if (!(largest(r) <= largest_number && largest(v) <= largest_number && s > 0 && s <= largest_number) ||

@@ -49,13 +49,13 @@ inline constexpr double cross_rounding_of_input = 10 * double_double_roundoff;
 inline constexpr double time_rounding = 64 * double_double_roundoff;
 }  // namespace level_1
 
-/// What underflow adds to B [length^2/time]: three products and two components times at most 2^100, below 2^-970
-/// (Bounds, "Underflow").
+/// Underflow's part of the error of B [length^2/time]: three products and two components times at most 2^100, below
+/// 2^-970 (Bounds, "Underflow").
 inline constexpr double b_underflow = 0x1p-960;
-/// What underflow adds to D [length^4/time^2]: 2^-1074 2^202 for A S^2, less for K (Bounds, "Underflow").
+/// Underflow's part of the error of D [length^4/time^2]: 2^-1074 2^202 for A S^2, less for K (Bounds, "Underflow").
 inline constexpr double d_underflow = 0x1p-860;
 
-// When a formula holds.
+// The range in which a formula holds.
 
 /// Relative error [1] of B, C and D up to which a time and its width come from their quotient: the worst of a quarter
 /// is in the derivation (Bounds, "Time").
@@ -100,7 +100,7 @@ inline constexpr int small_query_shift = 500;
 
 // Underflow of results.
 
-/// What a double that scales into the subnormal range may lose [unit], on either side of it: two of their steps.
+/// Loss [unit] of a double that is scaled into the subnormal range, on either side of it: two of their steps.
 inline constexpr double smallest_step = 0x1p-1073;
 /// Size [unit] of doubles above which scaling loses nothing: subnormals begin at 2^-1022.
 inline constexpr double scales_exactly = 0x1p-1000;
@@ -110,8 +110,8 @@ inline constexpr double double_double_scales_exactly = 0x1p-900;
 inline constexpr double rounding_of_exact = 0x1p-103;
 /// Size [unit] of such a value below which its low part may be subnormal: 2^-104 of it is then below 2^-1064.
 inline constexpr double exact_may_underflow = 0x1p-960;
-/// What underflow adds to scaled numbers and to sums of products of planes [unit]: 2^-1074 for each of at most six
-/// parts, with room.
+/// Underflow's part of the error of scaled numbers and of sums of products of planes [unit]: 2^-1074 for each of at
+/// most six parts, with room.
 inline constexpr double plane_underflow = 0x1p-1070;
 /// Time [natural unit] before which a time of unequal accelerations is found again in seconds: double-double would lose
 /// its digits, see `exact_may_underflow`.
