@@ -41,8 +41,8 @@ struct TrianglePattern {
 struct CubicPattern {
     Region region;
 };
-/// Random sequential insertion: uniform places in the region, one after the other, those that touch anything drawn
-/// again.
+/// Random sequential insertion: uniform places in the region, one after the other; a place that touches something is
+/// drawn again.
 struct RandomPattern {
     Region region;
 };

@@ -11,8 +11,8 @@ namespace {
 
 using Sites = std::array<std::size_t, 3>;
 
-// Narrow the spacing from one admissible value to the next until there are enough sites: at each value one axis (or
-// several that tie) gets a site more. Ends, for the product grows by one at least.
+// Numbers of sites along the axes. The spacing narrows from one admissible value to the next until there are enough
+// sites: at each value one axis (or several that tie) gets a site more. It ends, for the product grows by one at least.
 Sites lattice(const Vec3& size, std::size_t count)
 {
     Sites n{1, 1, 1};

@@ -1,5 +1,5 @@
 /// \file
-/// Where a fill's spheres go: one function for each pattern. Internal to `expand_fill`.
+/// The places of a fill's spheres: one function for each pattern. Internal to `expand_fill`.
 #pragma once
 
 #include "scene/fill.hpp"

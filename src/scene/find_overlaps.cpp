@@ -42,7 +42,7 @@ bool centre_inside(const Plane& plate, const Sphere& s)
     return plate.thickness && std::abs(plate.normal.dot(s.position) - plate.offset) <= *plate.thickness / 2;
 }
 
-/// On the wrong side as a whole, which a normal turned round does.
+/// Whether the centre lies on the wrong side of a half-space: most often its normal is turned round.
 bool centre_behind(const Plane& plane, const Sphere& s)
 {
     return !plane.thickness && plane.normal.dot(s.position) < plane.offset;

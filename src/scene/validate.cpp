@@ -141,7 +141,8 @@ private:
         not_negative(place + "/thickness", p.thickness);
         material_index(place + "/material", p.material);
     }
-    /// Contacts whose normals are that close count as dependent: a wedge would be none.
+    /// The angle of two planes: contacts with nearly parallel normals count as dependent, and a narrow wedge would be
+    /// none.
     void wedge(std::size_t p, const Plane& other)
     {
         const double angle = scene_.planes[p].normal.cross(other.normal).norm();

@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// Where each body of a scene was written, for messages. Empty: "/spheres/3", "/planes/0".
+/// The place in the file of each body of a scene, for messages. Empty: "/spheres/3", "/planes/0".
 struct BodyPlaces {
     std::vector<std::string> spheres, planes;  ///< JSON pointers; empty or one for each body
 
