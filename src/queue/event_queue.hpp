@@ -15,7 +15,7 @@ public:
     /// \param slots number of sources, all idle
     explicit EventQueue(std::size_t slots);
 
-    /// Slot whose key is smallest; 0 slots is not allowed.
+    /// The slot whose key is smallest. \pre there is a slot
     std::size_t first() const { return heap_[0]; }
     const Key& key(std::size_t slot) const { return keys_[slot]; }
     void set(std::size_t slot, const Key& key);
@@ -29,7 +29,7 @@ private:
     std::vector<std::uint32_t> place_;  ///< where a slot stands in the heap
 };
 
-/// The slow exact twin: looks at every slot. For tests.
+/// The slow exact twin of the queue, for tests: it looks at every slot.
 class LinearQueue {
 public:
     explicit LinearQueue(std::size_t slots) : keys_(slots) {}

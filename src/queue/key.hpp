@@ -1,5 +1,5 @@
 /// \file
-/// What a scheduled event is and when: the total order that makes a run reproducible bit for bit.
+/// Keys of scheduled events, time and participants: their total order makes a run reproducible bit for bit.
 #pragma once
 
 #include "core/partner.hpp"
@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// Values are the order among equal times.
+/// Kinds of scheduled events. Their values are the order among equal times.
 enum class Scheduled : std::uint8_t {
     pair_impact,   ///< of two spheres, a the smaller id
     plane_impact,  ///< of sphere a and a plane
