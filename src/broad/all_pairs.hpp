@@ -1,5 +1,5 @@
 /// \file
-/// Broad phase for few spheres: everybody is a neighbour of everybody.
+/// Broad phase for few spheres: every sphere is a neighbour of every other.
 #pragma once
 
 #include <carom/types.hpp>

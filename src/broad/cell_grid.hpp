@@ -22,24 +22,24 @@ public:
     CellGrid(const Frame& frame, const std::vector<Place>& places, double reach);
 
     const Cell& cell(BodyId body) const { return cells_[static_cast<std::size_t>(body)]; }
-    /// File `body` under the next cell along `axis`, up (+1) or down (-1).
+    /// Files `body` under the next cell along `axis`, up (+1) or down (-1).
     void step(BodyId body, int axis, int direction);
 
     /// Height of a place above the lower wall of a body's cell along an axis, and below the upper one [length].
     double above_lower_wall(const Frame& frame, BodyId body, int axis, const Place& place) const;
     double below_upper_wall(const Frame& frame, BodyId body, int axis, const Place& place) const;
 
-    /// How far off its cell a body may be before it is filed anew: the reach has room for it. Who turns round at a wall
-    /// faster than times can tell would otherwise cross it for ever [length].
+    /// Distance from its cell at which a body is filed anew [length]; the reach has room for it. Without it a body that
+    /// turns round at a wall faster than times can tell would cross the wall for ever.
     double slack() const { return 0x1p-10 * cell_size_; }
 
-    /// Everybody filed in the 27 cells around `body`, in no particular order.
+    /// The other bodies filed in the 27 cells around `body`, in no particular order.
     template <class Visit>
     void neighbours(BodyId body, Visit&& visit) const
     {
         visit_block(body, {-1, -1, -1}, {1, 1, 1}, visit);
     }
-    /// Only the 9 cells that came into view when `body` stepped along `axis`.
+    /// The bodies filed in the 9 cells that came into view when `body` stepped along `axis`.
     template <class Visit>
     void new_neighbours(BodyId body, int axis, int direction, Visit&& visit) const
     {
