@@ -11,7 +11,7 @@ namespace carom {
 
 /// Speeds below this part of the largest one are rounding, to whoever projects.
 inline constexpr double projection_tolerance = 1e-13;
-/// Contacts that close slower than this part of the largest speed do not close (IMPACTS: eps).
+/// Contacts that close slower than this part of the largest speed do not close (docs/impacts.md, section 3).
 inline constexpr double closing_tolerance = 1e-12;
 
 /// Half-spaces c_i >= 0 in the order of the contacts, start = the velocities.
@@ -24,11 +24,11 @@ double kinetic_energy(const ContactProblem& cluster, std::span<const Vec3> veloc
 
 std::vector<Vec3> velocities_before(const ContactProblem& cluster);
 
-/// With impulses on a and -impulses on b added, in the order of the contacts.
+/// Velocities with impulses on a and -impulses on b added, in the order of the contacts.
 std::vector<Vec3> velocities_after(const ContactProblem& cluster, std::vector<Vec3> velocities,
                                    std::span<const Vec3> impulses);
 
-/// Closing rates that no response leaves behind.
+/// Whether no contact closes faster than `tolerance`, > 0 [length/time].
 bool nothing_closes(const ContactProblem& cluster, std::span<const Vec3> velocities, double tolerance);
 
 }  // namespace carom

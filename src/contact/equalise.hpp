@@ -1,5 +1,6 @@
 /// \file
-/// The smallest change of velocities (or places) in the mass metric that gives contacts the rates (or gaps) wanted.
+/// The smallest change of velocities (or places), in the metric of kinetic energy, that changes rates (or gaps) of
+/// contacts as wanted.
 #pragma once
 
 #include "contact/contact.hpp"
@@ -16,8 +17,8 @@ struct EqualisingChange {
 
 /// min sum m |d|^2 with n_i.(d_a - d_b) = wanted_i for all contacts, in the sense of least squares where contacts
 /// contradict one another (see shortest_change). Redundant contacts do no harm; work is bounded, and so is the change:
-/// no body goes further than 4096 times the largest that is wanted, as it would between contacts that nearly
-/// contradict.
+/// no body goes further than 256 + 4 n times the largest that is wanted, n the number of contacts, as it would between
+/// contacts that nearly contradict.
 EqualisingChange equalising_change(const ContactProblem& cluster, std::span<const double> wanted);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 /// \file
-/// When contacts closed last: one that closed less than tau_p ago and closes again is inelastic.
+/// Times at which contacts closed last: one that closed less than tau_p ago and closes again is inelastic.
 #pragma once
 
 #include "flight/frame.hpp"
@@ -37,8 +37,8 @@ private:
         const auto low = static_cast<std::uint32_t>(a < b ? a : b), high = static_cast<std::uint32_t>(a < b ? b : a);
         return (std::uint64_t{high} << 32) | low;
     }
-    /// What is older than the window. Should it all be younger, there are more closings within it than the guard lets
-    /// pass, and the memory grows.
+    /// Drops contacts that closed longer ago than the window. If all are younger, there are more closings within it
+    /// than the guard lets pass, and the memory grows.
     void forget(const EpochTime& now)
     {
         std::erase_if(last_, [&](const auto& entry) { return !(frame_.between(entry.second, now) < window_); });
