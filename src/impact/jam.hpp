@@ -6,9 +6,9 @@
 
 namespace carom {
 
-/// Marks a set of contacts of which no velocities open all, given that those marked already stay closed: the support
-/// of mu >= 0 with sum mu = 1 and |sum mu_i a_i| <= 1e-7, a_i unit normals in the metric (Gordan's alternative).
-/// Contacts that the marked ones hold closed are such a set, too.
+/// Marks a set of contacts that no velocities open all at once, given that those marked already stay closed: the
+/// support of mu >= 0 with sum mu = 1 and |sum mu_i a_i| <= 1e-7, a_i unit normals in the metric (Gordan's
+/// alternative). Contacts that the marked ones hold closed are such a set, too.
 /// \param asked contacts to look among, those that are marked included
 /// \returns whether there was a new one
 bool mark_jammed(const ProjectionProblem& problem, std::span<const int> asked, std::vector<char>& jammed);

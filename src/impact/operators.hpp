@@ -21,8 +21,8 @@ struct NormalImpact {
     std::vector<Vec3> velocities;
 };
 
-/// All contacts inelastic: the velocities nearest to those before, in the metric of kinetic energy, that close nothing.
-/// Multipliers are the impulses; they need not be unique, the velocities are.
+/// The response with all contacts inelastic: the velocities nearest to those before, in the metric of kinetic energy,
+/// that close nothing. Multipliers are the impulses; they need not be unique, the velocities are.
 NormalImpact inelastic(const ContactProblem& cluster);
 
 struct ReflectionsOptions {
@@ -34,10 +34,10 @@ NormalImpact sequential(const ContactProblem& cluster);
 NormalImpact lcp(const ContactProblem& cluster, const LcpOptions& options);
 NormalImpact jacobi(const ContactProblem& cluster);
 
-/// Impulses of a contact between levels act on the upper body alone.
+/// Shock propagation: impulses of a contact between levels act on the upper body alone.
 NormalImpact shock(const ContactProblem& cluster);
-/// By body: 1 where it touches something immovable, else one more than the lowest neighbour; 1 for bodies that no
-/// contacts join to anything immovable.
+/// The level of each body: 1 if it touches something immovable, else one more than its lowest neighbour; 1 for bodies
+/// that no contacts join to anything immovable.
 std::vector<int> shock_levels(const ContactProblem& cluster);
 
 }  // namespace carom

@@ -1,6 +1,5 @@
 /// \file
-/// The impact law of a single contact: velocities before, impulse out. Formulas: course handout (plane response,
-/// sphere-sphere impulse).
+/// The impact law of a single contact: velocities before, impulse out. Formulas: docs/impacts.md, section 1.
 #pragma once
 
 #include <carom/scene.hpp>
@@ -18,7 +17,7 @@ struct PairImpact {
     Vec3 impulse;                 ///< on a, of the exchange alone: attenuation comes after it [mass length/time]
 };
 
-/// What an impact does to a relative velocity: v_n+ = -e v_n, v_t+ = alpha v_t. \returns after - before
+/// The change of a relative velocity in an impact: v_n+ = -e v_n, v_t+ = alpha v_t. \returns after - before
 /// \param normal of any length > 0
 inline Vec3 velocity_change(const Vec3& relative, const Vec3& normal, const ContactLaw& law)
 {
@@ -28,8 +27,9 @@ inline Vec3 velocity_change(const Vec3& relative, const Vec3& normal, const Cont
     return change;
 }
 
-/// The change of the relative velocity, shared by mass; then both velocities times `attenuation`. \param normal from b
-/// to a, of any length > 0; \pre at most one inverse mass is 0; a approaches b or touches it at speed 0.
+/// The impact of two bodies: the change of their relative velocity, shared by mass; then both velocities times
+/// `attenuation`. \param normal from b to a, of any length > 0; \pre at most one inverse mass is 0; a approaches b or
+/// touches it at speed 0.
 inline PairImpact resolve_pair(const ImpactSide& a, const ImpactSide& b, const Vec3& normal, const ContactLaw& law)
 {
     const double reduced_mass = 1 / (a.inverse_mass + b.inverse_mass);

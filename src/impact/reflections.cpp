@@ -4,8 +4,8 @@
 ///
 /// Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on simultaneous impact, ACM Transactions on Graphics 31
 /// (2012), https://doi.org/10.1145/2185520.2185602: rounds u <- 2 P_V(u) - u over the contacts V that close, P_V the
-/// projection on the velocities that close none of V, in the metric of kinetic energy.
-/// Ours, in the spirit of Vouga et al., All's well that ends well, ACM Transactions on Graphics 36 (2017),
+/// projection on the velocities that close none of V, in the metric of kinetic energy. This project's, in the spirit of
+/// Vouga et al., All's well that ends well, ACM Transactions on Graphics 36 (2017),
 /// https://doi.org/10.1145/3072959.3073689: the jam test, the bound on rounds and the blend of mixed restitution.
 ///
 /// Guarantee: nothing closes faster than 1e-9 of the largest speed before; impulses push; momentum is kept; energy is
@@ -78,7 +78,8 @@ public:
     }
 
 private:
-    /// u <- 2 P_V(u) - u until V is empty. A jammed set is in every V and stays closed: u <- P_D(u) follows.
+    /// Rounds u <- 2 P_V(u) - u until V is empty. A jammed set D is in every V and stays closed: u <- P_D(u) follows
+    /// each round.
     Rounds run(int most)
     {
         ProjectionProblem at = problem_;
@@ -147,9 +148,9 @@ bool have_one_restitution(const ContactProblem& cluster)
                        [first](const Contact& contact) { return contact.restitution == first; });
 }
 
-/// Restitution of the whole: that of the contacts which close and do not open when all are inelastic, each by the
-/// energy m_red c^2 / 2 that it closes with. (Not by the inelastic multipliers, which need not be unique: the outcome
-/// would depend on the order of contacts. The inelastic velocities are unique.) \param without inelastic velocities
+/// Restitution of the whole: the mean over the contacts that close, and do not open when all are inelastic, with the
+/// energy m_red c^2 / 2 of the closing as weight. (The inelastic multipliers are no weights: they need not be unique,
+/// and the outcome would depend on the order of contacts.) \param without inelastic velocities
 double blended_restitution(const ContactProblem& cluster, const ProjectionProblem& problem,
                            std::span<const Vec3> without)
 {

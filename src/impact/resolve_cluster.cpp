@@ -81,15 +81,15 @@ void open_all(const ContactProblem& cluster, ClusterImpact& out)
     out.velocities = std::move(last.point);
 }
 
-/// Who promises that energy is not gained, whatever the restitutions.
+/// Whether the operator promises that energy is not gained, whatever the restitutions.
 [[maybe_unused]] bool keeps_energy(const ImpactOptions& options)
 {
     return options.impact_operator == ImpactOperator::reflections ||
            options.impact_operator == ImpactOperator::sequential;
 }
 
-/// A light body between much heavier ones makes contacts that depend on each other to within the ratio: beyond this one
-/// doubles cannot tell, and nothing is promised.
+/// Whether masses are alike enough for a promise. A light body between much heavier ones makes contacts that depend on
+/// each other to within the ratio: beyond this one doubles cannot tell.
 [[maybe_unused]] bool is_well_scaled(const ContactProblem& cluster)
 {
     constexpr double most = 1e12;

@@ -9,9 +9,9 @@
 
 namespace carom {
 
-/// Impulses -(1 - alpha) m_red v_t on the relative tangential velocities v_t, all at once. Where a body has k contacts
-/// with an impulse each acts at 1/k (ours): so the sum takes energy and never gives it, and no order matters. With one
-/// contact this is the pair law.
+/// Impulses -(1 - alpha) m_red v_t on the relative tangential velocities v_t, all at once. At a body with k contacts
+/// that got an impulse each of them acts at 1/k (this project): so the sum takes energy and never gives it, and no
+/// order matters. With one contact this is the pair law.
 /// \param impulses by contact, along the normal
 /// \returns by contact, on a
 std::vector<Vec3> tangential_impulses(const ContactProblem& cluster, const std::vector<Vec3>& velocities,
