@@ -6,7 +6,7 @@ namespace carom {
 
 namespace {
 
-/// What a place lacks of the position that it was made from.
+/// Keeps the low part of a place: what it lacks of the position that it was made from.
 void keep_low_part(const Frame& frame, const Vec3& position, Place& place)
 {
     for (int k = 0; k < 3; ++k) {

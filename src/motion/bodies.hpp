@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// How a body goes on.
+/// The motion with which a body goes on.
 struct Change {
     BodyId body = no_body;
     Flight flight{};
@@ -37,14 +37,14 @@ public:
     {
         return kind(body) == Alternative::kind ? &std::get<Alternative>(motions_[at(body)]) : nullptr;
     }
-    /// Is some body in a numeric step or a window of the guard?
+    /// Whether some body is in a numeric step or a window of the guard.
     bool some_in_piece() const { return in_piece_ > 0; }
     bool is_in_piece(BodyId body) const
     {
         return kind(body) == MotionKind::stepping || kind(body) == MotionKind::windowed;
     }
 
-    /// Do spheres or several planes hold the body, or is it in a piece?
+    /// Whether spheres or several planes hold the body, or it is in a piece.
     bool is_held_by_several(BodyId body) const { return kind(body) >= MotionKind::held; }
 
     const PersistentContacts& contacts() const { return contacts_; }
@@ -52,7 +52,7 @@ public:
     /// The acceleration of a flight [length/time^2].
     const Vec3& acceleration(const Flight& flight) const { return accelerations_[flight.acceleration]; }
 
-    /// The body moves like this from here on. Its stamp, its contacts and its own acceleration follow.
+    /// Sets the motion of a body from here on. Its stamp, its contacts and its own acceleration follow.
     void set(const Change& change)
     {
         Hot& hot = hot_[at(change.body)];
@@ -60,9 +60,9 @@ public:
         ++hot.stamp;
         if (hot.kind != MotionKind::flying || kind_of(change.motion) != MotionKind::flying) enter(change);
     }
-    /// Other forces in the same persistent contacts: no change of the motion.
+    /// Sets other forces in the same persistent contacts: no change of the motion.
     void set_forces(BodyId body, const std::vector<PersistentContact>& contacts);
-    /// The present motions are those as the scene begins.
+    /// Stamps begin at 0: the present motions are those with which the scene begins.
     void begin();
 
 private:
@@ -72,7 +72,7 @@ private:
         MotionKind kind = MotionKind::flying;
     };
 
-    /// What changes when a body does not fly on.
+    /// The part of `set` for bodies that were not flying or do not fly on.
     void enter(const Change& change);
     static std::size_t at(BodyId body) { return static_cast<std::size_t>(body); }
 

@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// One step of the resolution of times down, but not before `from`.
+/// The time one step of the resolution before t, but not before `from`.
 inline EpochTime step_back(const Frame& frame, const EpochTime& from, const EpochTime& t)
 {
     EpochTime back = t;
@@ -30,7 +30,7 @@ inline EpochTime rough_time(const Frame& frame, const EpochTime& from, double t)
     return time;
 }
 
-/// t + by, `by` of either sign and below 2^52 epochs.
+/// The time t + by, `by` of either sign and below 2^52 epochs.
 inline EpochTime shifted(const Frame& frame, const EpochTime& t, double by)
 {
     const double sum = t.offset + by, whole = std::floor(sum / frame.epoch_length);

@@ -16,7 +16,7 @@ ContactTime contact_time(const Frame& frame, const EpochTime& from, const Enclos
     return {true, rough_time(frame, from, e.t_lo.high), true, false};
 }
 
-/// Half of all pairs end here.
+/// Whether two spheres certainly separate: half of all pairs end here.
 bool certainly_separating(const Vec3& r, const Vec3& v, const SphereInputError& error)
 {
     const double p1 = r.x() * v.x(), p2 = r.y() * v.y(), p3 = r.z() * v.z();
@@ -24,12 +24,13 @@ bool certainly_separating(const Vec3& r, const Vec3& v, const SphereInputError& 
                  vs = std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z());
     const double bound = 8 * u * (std::abs(p1) + std::abs(p2) + std::abs(p3)) + 2 * (error.v * rs + error.r * vs) +
                          4 * error.r * error.v;
-    // Neither overflow nor underflow passes for certain.
+    // An overflow or underflow must not pass for certain.
     constexpr double least = 0x1p-900;
     return p1 + p2 + p3 > bound && bound > least;
 }
 
-/// No speed towards a plane that is no plate, and no acceleration: most walls, most of the time.
+/// Whether a sphere has certainly no speed and no acceleration towards a plane that is no plate: most walls, most of
+/// the time.
 bool certainly_receding(const State& state, const Flight& f, int p)
 {
     const Plane& plane = state.plane(p);
@@ -41,7 +42,7 @@ bool certainly_receding(const State& state, const Flight& f, int p)
     return across || plane.normal.dot(g) > 8 * u * largest(g);
 }
 
-/// How far the relative motion in double may be from the exact one.
+/// Errors of the relative motion in double against the exact one.
 SphereInputError input_error(const State& state, const Flight& a, const Flight& b, const Relative<double>& m)
 {
     const Flight& older = a.start < b.start ? a : b;
@@ -64,7 +65,7 @@ EpochTime outside(const Frame& frame, const EpochTime& from, EpochTime time, con
     return time;
 }
 
-/// local[k] + low[k] = sum, in whatever cell that is.
+/// Coordinate k of a place becomes `sum`, local and low part, counted from its present cell [length].
 void put_into_cell(const Frame& frame, Place& place, int k, DoubleDouble sum)
 {
     const double whole = std::floor(sum.high / frame.cell_size);

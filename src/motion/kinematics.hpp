@@ -1,6 +1,6 @@
 /// \file
-/// When contacts come, and where bodies are then: what a schedule and a response ask of the motions. One interface for
-/// both number types of a run.
+/// Times of contacts, and bodies at these times: all that a schedule and a response ask of motions, by one interface
+/// for both number types of a run.
 #pragma once
 
 #include "motion/relative.hpp"
@@ -19,7 +19,7 @@ struct ContactTime {
     bool swept = false;  ///< of the ball that a series sweeps
 };
 
-/// In double. \tparam gravity false: nothing is accelerated, and nothing bounces in series
+/// Times in double. \tparam gravity false: nothing is accelerated, and nothing bounces in series
 template <bool gravity>
 struct PlainKinematics {
     static constexpr bool has_gravity = gravity;
@@ -29,7 +29,7 @@ struct PlainKinematics {
     static ContactTime plane_time(const State& state, const Moving& sphere, int plane, const EpochTime& limit);
 };
 
-/// In double-double where two bodies, or one and a plane, are in free flight; elsewhere as PlainKinematics<true>.
+/// Times in double-double where two bodies, or one and a plane, are in free flight; elsewhere as PlainKinematics<true>.
 struct CertifiedKinematics {
     static constexpr bool has_gravity = true;
     static constexpr bool is_certified = true;
@@ -39,19 +39,19 @@ struct CertifiedKinematics {
     static EpochTime exact_time(const State& state, BodyId a, Partner b);
 };
 
-/// Is the body's flight one that certified runs evaluate in double-double?
+/// Whether the run is certified and evaluates the body's flight in double-double.
 inline bool flies_certified(const State& state, BodyId body)
 {
     return state.certified() && state.bodies.kind(body) == MotionKind::flying;
 }
-/// Likewise the gap of a body and its partner: it is that of a uniform motion, or of a parabola over a plane.
+/// The same for the gap of a body and its partner: that of a uniform motion, or of a parabola over a plane.
 bool is_certified_gap(const State& state, BodyId a, Partner b);
 
 /// The body's flight as if it began at `now`, in the run's number type. See `advanced`.
 Flight flown(const State& state, BodyId body, const EpochTime& now);
 
-/// How much later than the flights' common start a contact comes, in double-double: with bounds, to tell which of two
-/// is first. \param b flight of the partner if it is a sphere, else null
+/// The time from the flights' common start to a contact, in double-double, with bounds that tell which of two is first.
+/// \param b flight of the partner if it is a sphere, else null
 Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner);
 
 /// A body and its partner at one moment, evaluated in the number type of their gap.

@@ -18,8 +18,9 @@ struct NumericPiece {
     Place centre{};  ///< to which the cluster's positions are relative
 };
 
-/// Within a numeric step bodies are as the cluster has them: more exact than the parabola that stands for the piece
-/// (see `advanced`), which bodies outside the cluster see. Each cluster is placed once.
+/// The bodies of a run at one time. Those within a numeric step are as the cluster has them, more exact than the
+/// parabola that stands for the piece and that bodies outside the cluster see (`advanced`). Each cluster is evaluated
+/// once.
 class Moment {
 public:
     Moment(const State& state, const EpochTime& now) : state_(state), now_(now) {}

@@ -1,5 +1,5 @@
 /// \file
-/// What a body does between two of its events: the only statement of modes.
+/// Motions: what a body does between two of its events. The only statement of modes.
 #pragma once
 
 #include "motion/series.hpp"
@@ -76,11 +76,11 @@ inline MotionKind kind_of(const Motion& motion)
     return static_cast<MotionKind>(motion.index());
 }
 
-/// The word that users see for it.
+/// The word that users see for a motion.
 Mode mode_of(const Motion& motion);
-/// Does a contact hold the body: is its normal motion at an end?
+/// Whether a contact holds the body, so that its normal motion is at an end.
 bool is_held(const Motion& motion);
-/// When a motion ends by itself, on the frame's clock; `never` if it does not. \param start of the body's flight
+/// The time at which a motion ends by itself; `never` if it does not. \param start of the body's flight
 EpochTime end_of(const Motion& motion, const Frame& frame, const EpochTime& start);
 
 }  // namespace carom

@@ -58,7 +58,7 @@ ContactForces forces_at(const NumericCluster& cluster, const Bodies& bodies, std
     return solve_contact_forces(problem, curvature, guess);
 }
 
-/// `from` moved by a rate that `at` has, for dt.
+/// The bodies of `from` after dt, at the velocities of `at` and the accelerations of `rate`.
 Bodies moved(const Bodies& from, const Bodies& at, const ContactForces& rate, double dt)
 {
     Bodies out = from;
@@ -99,8 +99,8 @@ RungeKutta runge_kutta(const NumericCluster& cluster, const ContactForces& k1, d
     return out;
 }
 
-/// By how much contact i is beyond opening: > 0 where it opens. Where it carries it is the rate at which its gap would
-/// close if it alone let go, so that the sign changes steadily [length/time^2].
+/// Gap rate of contact i beyond that of opening, > 0 where it opens [length/time^2]. For a contact that carries: minus
+/// the rate at which its gap would close if it alone let go, so that the sign changes steadily.
 double opening(const NumericCluster& cluster, const ContactForces& forces, std::size_t i)
 {
     const NumericContact& c = cluster.contacts[i];
@@ -110,7 +110,7 @@ double opening(const NumericCluster& cluster, const ContactForces& forces, std::
     return (force > 0 ? -force * lightness : forces.gap_rates[i]) - cluster.opening;
 }
 
-/// Of those that are watched, the first to open.
+/// The largest of these among watched contacts: > 0 where one opens.
 double opening(const NumericCluster& cluster, const ContactForces& forces, const std::vector<char>& watched)
 {
     double most = -std::numeric_limits<double>::infinity();
@@ -168,7 +168,7 @@ double energy(const NumericCluster& cluster, const Bodies& bodies)
     return sum;
 }
 
-/// Gaps and rates of contacts that carry, back to 0; overlaps of the others, too.
+/// Puts gaps and rates of contacts that carry back to 0, and overlaps of the others.
 void put_back(const NumericCluster& cluster, const std::vector<double>& forces, Bodies& bodies)
 {
     for (const bool gaps : {true, false}) {

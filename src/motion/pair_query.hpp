@@ -1,5 +1,5 @@
 /// \file
-/// When two spheres in free flight touch, for certified runs: in double-double and, on demand, exactly.
+/// The time at which two spheres in free flight touch, for certified runs: in double-double and, on demand, exactly.
 #pragma once
 
 #include "motion/relative.hpp"
@@ -43,7 +43,8 @@ public:
         return out;
     }
 
-    /// For flights of one start that are roundings themselves. \param error of theirs, to be added
+    /// The answer for flights of one start that are roundings themselves. \param error of the flights, beside that of
+    /// the arithmetic
     Enclosure<DoubleDouble> enclose_rounded(const SphereInputError& error) const
     {
         return carom::enclose(r_, v_, s_, error);

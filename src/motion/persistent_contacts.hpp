@@ -27,14 +27,14 @@ public:
         return found == lists_.end() ? std::span<const PersistentContact>{} : found->second;
     }
     bool between(BodyId a, Partner b) const { return !lists_.empty() && find(a, b) != nullptr; }
-    /// 0 for contacts that are none.
+    /// The force of a contact; 0 if it does not persist.
     double force(BodyId a, Partner b) const
     {
         const PersistentContact* const found = find(a, b);
         return found ? found->force : 0;
     }
 
-    /// The contacts of `body` are these and no others; spheres that are its former or new partners learn of it.
+    /// Sets all contacts of `body`; the lists of spheres that were or become its partners follow.
     void set(BodyId body, const std::vector<PersistentContact>& contacts)
     {
         clear(body);
@@ -45,7 +45,7 @@ public:
             if (c.partner.is_sphere() && !between(c.partner.index, self))
                 lists_[c.partner.index].push_back({self, c.force});
     }
-    /// The same contacts, other forces.
+    /// Sets other forces of the same contacts.
     void set_forces(BodyId body, const std::vector<PersistentContact>& contacts) { lists_[body] = contacts; }
 
 private:

@@ -1,5 +1,6 @@
 /// \file
-/// When a sphere in free flight touches a plane, for certified runs: in double-double and, on demand, exactly.
+/// The time at which a sphere in free flight touches a plane, for certified runs: in double-double and, on demand,
+/// exactly.
 #pragma once
 
 #include "motion/pair_query.hpp"
@@ -25,16 +26,16 @@ public:
     }
 
     Enclosure<DoubleDouble> enclose() const { return PlaneSolver<DoubleDouble, PlaneQuery>(h_, w_, g_, *this).solve(); }
-    /// Without the exact values: the places are roundings themselves.
+    /// The answer without exact values, for places that are roundings themselves.
     Enclosure<DoubleDouble> enclose_rounded() const
     {
         return PlaneSolver<DoubleDouble, NoExactPlane>(h_, w_, g_, {}).solve();
     }
 
-    /// 0 where the exact height is >= 0 [length].
+    /// Depth of the overlap, 0 where the exact height is >= 0 [length].
     double overlap() const { return h_.is_positive() || h().sign() >= 0 ? 0 : -h_.value.high; }
 
-    // What PlaneSolver wants of exact numbers.
+    // Exact numbers, for PlaneSolver.
     static constexpr bool available = true;
     Dyadic h() const { return height<Dyadic>(); }
     Dyadic w() const { return along<Dyadic>(flight_.velocity); }

@@ -1,6 +1,6 @@
 /// \file
 /// Motions relative to one another, as time-of-impact queries want them. All are pure functions of the flights
-/// concerned: whoever asks, and whenever, gets the same bits.
+/// concerned: the bits do not depend on when and for which body they are asked.
 #pragma once
 
 #include "motion/height.hpp"
@@ -17,7 +17,8 @@ struct Relative {
     Triple<Real> r{}, v{};  ///< a relative to b [length], [length/time]
 };
 
-/// Only the older flight has moved since it began. \param gravity false leaves accelerations out, with the same bits
+/// The relative motion of two flights. Only the older one has moved since it began. \param gravity false leaves
+/// accelerations out, with the same bits
 template <class Real, bool gravity = true>
 Relative<Real> relative_motion(const State& state, const Flight& a, const Flight& b)
 {
@@ -62,8 +63,8 @@ struct PairMotion : Relative<double> {
 };
 PairMotion pair_motion(const State& state, const Moving& a, const Moving& b);
 Root pair_root(const State& state, const PairMotion& motion);
-/// Can they not meet before `limit`, or before a piece of one of them ends? A quick answer: false where it takes more
-/// to know.
+/// Whether two spheres certainly do not meet before `limit`, or before a piece of one of them ends. A quick answer:
+/// false where it takes more to know.
 bool meet_too_late(const State& state, BodyId a, BodyId b, const PairMotion& motion, EpochTime limit);
 
 /// A sphere above a plane, at the start of its flight.
@@ -73,15 +74,16 @@ struct PlaneMotion {
 };
 PlaneMotion plane_motion(const State& state, const Moving& sphere, int plane);
 
-/// A plane that is no plate, and no speed towards it when the flight began: quick answers before a height is measured.
+/// Whether a flight had no speed towards a plane that is no plate when it began: a quick answer before a height is
+/// measured.
 inline bool recedes_at_start(const State& state, const Flight& flight, int plane)
 {
     const Plane& p = state.plane(plane);
     return !p.thickness && p.normal.dot(flight.velocity) >= 0;
 }
 
-/// A quick answer before the heights are measured: no speed and no acceleration towards the plane, so there is no root.
-/// Plates, which have two sides, and series always take the long way.
+/// Whether there is no root for want of speed and acceleration towards the plane: a quick answer before a height is
+/// measured. Plates, which have two sides, and series always take the long way.
 inline bool recedes(const State& state, const Moving& sphere, int plane)
 {
     const Flight& f = sphere.flight;
@@ -92,9 +94,10 @@ inline bool recedes(const State& state, const Moving& sphere, int plane)
 /// The body's flight as if it began at `now`: same path, place and velocity of that moment, in double. A series becomes
 /// the flight between two of its bounces in which the body is.
 Flight advanced(const State& state, BodyId body, const EpochTime& now);
-/// Likewise the path of what a grid files: the centre, or in a series the centre without its bounces.
+/// The path by which a grid files the body, from `now` on: that of its centre, in a series that of the centre without
+/// its bounces.
 Flight filed_path(const State& state, BodyId body, const EpochTime& now);
-/// How far beyond its swept radius a slowed series may carry a sphere [length]; 0 at tangential factor 1.
+/// Distance beyond its swept radius to which a slowed series may carry a sphere [length]; 0 at tangential factor 1.
 double slowed_reach(const Series& series);
 
 }  // namespace carom

@@ -6,7 +6,7 @@ namespace carom {
 
 namespace {
 
-/// What n bounces do, for a first flight of time T1: each bounce scales the flight time by e and the tangential
+/// The effect of n bounces, for a first flight of time T1: each bounce scales the flight time by e and the tangential
 /// velocity by alpha. All sums are of positive terms, so nothing cancels: time = T1 g, v' = alpha^n v + a T1 d, shift =
 /// v T1 p + a T1^2 q.
 struct Bounces {
@@ -15,7 +15,7 @@ struct Bounces {
     double g = 0, d = 0, p = 0, q = 0;
 };
 
-/// First `a`, then `b`.
+/// The effect of `a`, then of `b`.
 Bounces followed(const Bounces& a, const Bounces& b)
 {
     return {a.e * b.e,

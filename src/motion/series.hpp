@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// What follows a bounce that left with normal speed v0 > 0 under gravity g_n > 0 towards the plane: bounce k comes
-/// T_k = 2 v0 / g_n (1 + e + ... + e^(k-1)) later, all of them within `duration`. e^k is found by products, never by a
+/// The bounces after one that left with normal speed v0 > 0 under gravity g_n > 0 towards the plane: bounce k comes T_k
+/// = 2 v0 / g_n (1 + e + ... + e^(k-1)) later, all of them within `duration`. e^k is found by products, never by a
 /// logarithm: one rounding there picks the wrong bounce.
 struct Series {
     double normal_speed = 0;           ///< v0 [length/time]
@@ -19,11 +19,11 @@ struct Series {
 
     double first_flight() const { return 2 * normal_speed / gravity; }
     double duration() const { return first_flight() / (1 - restitution); }
-    /// Of the first and highest flight [length].
+    /// Height of the first and highest flight [length].
     double height() const { return 0.5 * normal_speed * (normal_speed / gravity); }
 };
 
-/// Somewhere inside a series.
+/// A state inside a series.
 struct SeriesState {
     double height = 0;             ///< above contact [length]
     double normal_speed = 0;       ///< away from the plane [length/time]

@@ -41,13 +41,13 @@ struct State {
     double radius(BodyId body) const { return bodies.radius(body); }
     const Flight& flight(BodyId body) const { return bodies.flight(body); }
     const Vec3& acceleration(const Flight& flight) const { return bodies.acceleration(flight); }
-    /// The scene's, where there is nothing else [length/time^2].
+    /// Gravity of the scene [length/time^2].
     const Vec3& gravity() const { return bodies.accelerations()[bodies.accelerations().free()]; }
 
     bool is_fixed(BodyId body) const { return bodies.kind(body) == MotionKind::fixed; }
     bool is_fixed(Partner partner) const { return partner.is_sphere() && is_fixed(partner.index); }
     bool is_movable(Partner partner) const { return partner.is_sphere() && !is_fixed(partner.index); }
-    /// 0 for what does not move [1/mass].
+    /// Inverse mass; 0 for bodies that do not move [1/mass].
     double inverse_mass(BodyId body) const { return is_fixed(body) ? 0 : 1 / sphere(body).mass; }
     double inverse_mass(Partner partner) const { return partner.is_sphere() ? inverse_mass(partner.index) : 0; }
     /// The smaller radius of a contact [length].
@@ -69,15 +69,15 @@ struct State {
         return body < count() ? Partner::sphere(body) : Partner::plane(body - count());
     }
 
-    /// Contacts with gaps up to this belong to the instant of another [length]. \param radius the smaller one
+    /// Largest gap at which a contact belongs to the instant of another [length]. \param radius the smaller one
     double tie(double radius) const { return scene.impact.tie.value_or(default_tie) * radius; }
-    /// Does a contact with this gap belong to the instant `now` of another? If it closed less than tau_p ago it does up
-    /// to rebound_gap.
+    /// Whether a contact with this gap belongs to the instant `now` of another: within the tie, or within rebound_gap
+    /// if it closed less than tau_p ago.
     bool ties(BodyId a, Partner b, double gap, const EpochTime& now) const
     {
         return gap <= tie(smaller_radius(a, b)) || (gap <= rebound_gap && recent.has(a, body_of(b), now));
     }
-    /// Beyond this gap no contact belongs to the instant of another one of the body [length].
+    /// Largest gap at which any contact of the body belongs to the instant of another one [length].
     double widest_tie(BodyId body) const { return std::max(rebound_gap, tie(radius(body))); }
 };
 
