@@ -90,7 +90,8 @@ private:
         return out;
     }
 
-    /// A window lists whom it may push, and none of that persists.
+    /// Whether the body is in a window of the guard: its listed contacts are those that the window may push, and none
+    /// of them persists.
     bool is_guarded(BodyId body) const { return state_.bodies.kind(body) == MotionKind::windowed; }
 
     void take(BodyId body, Partner other)

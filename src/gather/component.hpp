@@ -29,8 +29,8 @@ ContactComponent gather(const State& state, const Key& contact, const Neighbourh
 /// plane.
 std::vector<ContactComponent> declared_components(const State& state);
 
-/// Normal, gap and law of two bodies, of which `a` can move, at flights of one instant. Which bodies of a problem they
-/// are is left open. \param fb null for a plane
+/// Normal, gap and law of two bodies, of which `a` can move, at flights of one instant. The contact's indices of bodies
+/// in a problem are left open. \param fb null for a plane
 Contact measured(const State& state, BodyId a, const Flight& fa, Partner b, const Flight* fb);
 
 /// A contact as it was found, by the bodies' ids.
@@ -38,11 +38,11 @@ struct FoundContact {
     BodyId a = no_body;
     Contact contact{};
 };
-/// Bodies and contacts found become a problem: bodies in the order given, ascending, contacts in theirs.
+/// Makes a problem of bodies and contacts that were found: bodies in the order given, ascending, contacts in theirs.
 void number_bodies(const State& state, const std::vector<std::pair<BodyId, Flight>>& bodies,
                    std::vector<FoundContact> contacts, ContactComponent& out);
 
-/// Gaps up to this count as closed where a contact persists [length].
+/// Largest gap that counts as closed for a persistent contact [length].
 double persistence_gap(const State& state, BodyId a, Partner b);
 
 }  // namespace carom

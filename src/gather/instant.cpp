@@ -8,8 +8,8 @@ namespace carom {
 
 namespace {
 
-/// Is the contact closed at this instant, and not opening? (One that opens would have to be closed again by the same
-/// instant to matter.) \pre a is a sphere; flights are of this instant.
+/// Whether the contact is closed at this instant and not opening. (One that opens would have to be closed again by the
+/// same instant to matter.) \pre a is a sphere; flights are of this instant.
 bool closed_contact(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
 {
     const Partner partner = Partner::sphere(id_b);

@@ -1,5 +1,5 @@
 /// \file
-/// Several contacts at one instant: how they are noticed. See component.hpp for what belongs to it, all in all.
+/// Signs that an instant has more contacts than the one of its event. All that belong to it are found by component.hpp.
 #pragma once
 
 #include "gather/may_touch.hpp"
@@ -16,20 +16,20 @@ public:
     bool is_that_of(BodyId body, Partner other) const;
 
 private:
-    /// From the moment of the event to the contact itself.
+    /// The time from the moment of the event to the contact itself.
     Enclosure<DoubleDouble> wait_for(BodyId body, Partner other) const;
 
     const State& state_;
     const Key& contact_;
 };
 
-/// Is another contact of `body` closed at this very instant and not opening, next to the one with `partner`?
+/// Whether another contact of `body` than the one with `partner` is closed at this very instant and not opening.
 /// \param now the body's flight, advanced to this instant
 bool other_closed(const State& state, const ContactInstant& instant, const Flight& now, BodyId body, Partner partner,
                   const Neighbourhood& neighbourhood);
 
-/// Was the contact of this event already closed, and closing, when the later of its flights began at an impact? Then it
-/// belonged to that impact.
+/// Whether the contact of this event was already closed, and closing, when the later of its flights began at an impact:
+/// then it belonged to that impact.
 bool belongs_to_previous_instant(const State& state, const Key& key);
 
 }  // namespace carom

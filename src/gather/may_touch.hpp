@@ -1,5 +1,5 @@
 /// \file
-/// Who is near whom, before contacts are measured.
+/// Spheres near each other, before contacts are measured.
 #pragma once
 
 #include "motion/state.hpp"
@@ -12,7 +12,7 @@ namespace carom {
 /// Every sphere that may touch this one now; valid until the next call.
 using Neighbourhood = std::function<std::span<const BodyId>(BodyId)>;
 
-/// Can the surfaces of `body` and `other` be less than `margin` apart [length]? Said of many that are not, too.
+/// Whether the surfaces of `body` and `other` may be less than `margin` apart [length]; true of some that are not.
 /// \param now the flight of `body` as if it began at this moment
 inline bool may_touch(const State& state, BodyId body, const Flight& now, BodyId other, double margin)
 {
