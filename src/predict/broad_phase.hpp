@@ -11,9 +11,9 @@
 
 namespace carom {
 
-/// Two centres further apart than this cannot matter to each other before one of them crosses a cell wall. A swept ball
-/// is larger than its sphere, off its centre, and ends off its cell by at most `series_below` radii each; the last per
-/// cent covers all rounding [length].
+/// Distance of two centres [length] beyond which their spheres cannot matter to each other before one of them crosses a
+/// cell wall. A swept ball is larger than its sphere, off its centre, and ends off its cell by at most `series_below`
+/// radii each; the last per cent covers all rounding.
 inline double broad_phase_reach(const State& state)
 {
     double largest = 0;

@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// How an event of its own ends a body's motion. \pre the motion has an end
+/// The event with which a body's motion ends by itself. \pre the motion has an end
 inline Key own_end(const State& state, BodyId body)
 {
     const EpochTime time = end_of(state.bodies.motion(body), state.frame, state.flight(body).start);

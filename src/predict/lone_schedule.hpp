@@ -49,9 +49,10 @@ public:
         for (const Change& change : changes) flight_changed(state, change.body, now, counts);
     }
 
-    /// Bounce after bounce that leaves the sphere flying, the commonest events of all, are no more than this loop. The
-    /// same bits as `resolve`, which is to be asked where more is going on: another contact, a support, a plate, rest,
-    /// a low bounce. \param last carry out nothing after it \param most how many; it stops after one that loses energy
+    /// Carries out bounces that leave the sphere flying, the commonest events of all, in one loop: the same bits as
+    /// `resolve`, which is to be asked if there is more to the next one (another contact, a support, a plate, rest, a
+    /// low bounce). \param last time after which nothing is carried out \param most bounces; it stops after one that
+    /// loses energy
     template <class Ledger>
     Bounces bounces(State& state, const EpochTime& last, int most, Ledger& ledger)
     {
@@ -62,7 +63,7 @@ public:
                                   : bounces_among<false>(state, last, most, ledger);
     }
 
-    // What a single sphere has no use for.
+    // Parts of a schedule that a single sphere has no use for.
     bool is_stale(const State&, const Next&) const { return false; }
     void predict_again(const State&, const Next&, Counts&) {}
     bool refine(const State&, const Next&, Counts&) const { return false; }
@@ -83,7 +84,7 @@ private:
         double h, w;       ///< height and its rate when the flight began [length], [length/time]
     };
 
-    /// As height_above.
+    /// The height, with the bits of height_above.
     static double height(const Frame& frame, const Wall& wall, const Place& place, double radius)
     {
         const Sum sum = signed_height(frame, wall.normal, wall.offset, place);
@@ -123,8 +124,8 @@ private:
             const Wall& wall = alone ? only : *next.wall;
             const Vec3 normal = wall.normal;
             const bool inelastic = wall.law.restitution < 1;
-            // Closed and closing already when the flight began: it belongs to the event before it. (Not a wall that it
-            // has just bounced off.)
+            // A wall that was closed and closing when the flight began belongs to the event before it. (Not a wall that
+            // the sphere has just bounced off.)
             if (!(alone && done > 0) && next.w < 0 && next.h <= tie && began_at_impact) break;
 
             const double dt = frame.between(f.start, next.time);
@@ -167,7 +168,7 @@ private:
         return {done, loses_energy};
     }
 
-    /// As offer_planes. \param known the contact with one wall, but for its time
+    /// The first contact, with the bits of offer_planes. \param known the contact with one wall, but for its time
     template <bool alone>
     Meeting first_meeting(const Frame& frame, const Flight& f, double radius, const Meeting& known,
                           Counts& counts) const

@@ -1,7 +1,7 @@
 /// \file
-/// Prediction: who meets whom next. One queue slot a body for contacts, and one for leaving its grid cell. Three
-/// parameters that know nothing of each other, each with a slow exact twin: when contacts come (Kinematics), who may
-/// meet (BroadPhase), what comes first (Queue).
+/// Prediction: the next contact of each body. One queue slot a body for contacts, and one for leaving its grid cell.
+/// Three parameters that know nothing of each other, each with a slow exact twin: times of contacts (Kinematics),
+/// bodies that may meet (BroadPhase), the first event (Queue).
 #pragma once
 
 #include "predict/broad_phase.hpp"
@@ -35,7 +35,7 @@ public:
 
     Next next() const { return {queue_.first(), queue_.key(queue_.first())}; }
 
-    /// The flight of the partner has changed since the event was predicted.
+    /// Whether the flight of the partner has changed since the event was predicted.
     bool is_stale(const State& state, const Next& next) const
     {
         const Key& key = next.key;
@@ -72,7 +72,7 @@ public:
         examine(state, static_cast<BodyId>(next.slot), counts);
     }
 
-    /// Predict a body's next contact and its next cell.
+    /// Predicts a body's next contact and its next cell.
     void flight_changed(const State& state, BodyId body, const EpochTime& now, Counts& counts)
     {
         examine(state, body, counts);
@@ -88,7 +88,7 @@ public:
         }
     }
 
-    /// Carry out a cell crossing: new neighbours may come before the contact known so far.
+    /// Carries out a cell crossing: new neighbours may come before the contact known so far.
     [[gnu::flatten]] void cross(const State& state, const Key& crossing, Counts& counts)
     {
         if constexpr (has_cells) {
@@ -105,7 +105,7 @@ public:
         }
     }
 
-    /// Every body that may touch this one before either of them crosses a cell wall; valid until the next call.
+    /// The bodies that may touch this one before either of them crosses a cell wall; valid until the next call.
     std::span<const BodyId> neighbours(BodyId body)
     {
         std::size_t count = 0;
@@ -116,7 +116,7 @@ public:
 private:
     static constexpr bool has_cells = BroadPhase::has_cells;
 
-    /// What is known of a slot's event beside its key.
+    /// The prediction of a slot's event, beside its key.
     struct Prediction {
         std::uint32_t stamp = 0;  ///< of the partner when it was predicted
         bool rough = false;       ///< the time is one before the contact, not that of the contact
@@ -138,12 +138,13 @@ private:
         }
     };
 
-    /// \param asked ascending; of pairs with them they have the contact already
+    /// Finds the earliest event of a body. \param asked ascending: bodies examined just before, whose slots have their
+    /// contacts with this one
     template <bool exact = false>
     [[gnu::flatten]] void examine(const State& state, BodyId body, Counts& counts, std::span<const Change> asked = {})
     {
         Best best;
-        if (!state.is_fixed(body)) {  // who never moves leaves the asking to the others
+        if (!state.is_fixed(body)) {  // a fixed body leaves the asking to the others
             offer_planes<Kinematics>(state, body, counts, best.key.time,
                                      [&](const Key& key, bool rough) { take<exact>(state, key, 0, rough, best); });
             const auto was_asked = [&](BodyId other) {
@@ -172,7 +173,7 @@ private:
         best.take(key, stamp, rough && !exact);
     }
 
-    /// Take the contact with `other` if it comes before the best one so far.
+    /// Takes the contact with `other` if it comes before the best one so far.
     template <bool exact>
     void offer(const State& state, BodyId body, BodyId other, Best& best, Counts& counts) const
     {
@@ -186,7 +187,7 @@ private:
             state.bodies.stamp(other), contact.rough, best);
     }
 
-    /// Predict when the body leaves its grid cell.
+    /// Predicts when the body leaves its grid cell.
     void watch_cell(const State& state, BodyId body, const EpochTime& now, Counts& counts)
     {
         if constexpr (has_cells) {
