@@ -10,19 +10,19 @@
 
 namespace carom {
 
-/// Of I + sum a_i a_i^T / epsilon over the active ones among unit normals a_i. Dependent ones need no care: it is the
-/// unit matrix and more.
+/// The factor of I + sum a_i a_i^T / epsilon over the active ones among unit normals a_i. Dependent ones need no care:
+/// it is the unit matrix and more.
 class ActiveFactor {
 public:
     /// \param vectors their number \param normals sparsity is that of all, active or not; they outlive this
     ActiveFactor(std::size_t vectors, std::span<const UnitNormal> normals);
 
     double epsilon() const { return epsilon_; }
-    /// What was factored is forgotten.
+    /// Takes another epsilon, and forgets what was factored.
     void take_epsilon(double epsilon);
 
     bool is_of(const std::vector<char>& active) const { return factored_ == active; }
-    /// By updates, or anew where that is less work.
+    /// Factors the matrix of these active normals, by updates or anew, whichever is less work.
     void follow(const std::vector<char>& active);
 
     /// Solves in place. \pre follow was called

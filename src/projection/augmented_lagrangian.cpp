@@ -30,7 +30,7 @@ public:
         double error = largest_error();
         bool improves = true;
         for (int round = 0; round < most_penalty_rounds && out_.newton_steps < most_newton_steps; ++round) {
-            // Once good enough, further rounds cost a solve each; go on as long as they pay.
+            // Further rounds cost a solve each: once the result is good enough they go on as long as they pay.
             if (is_solved(1) || (is_solved(sparse_tolerances) && !improves)) break;
             const int before = out_.newton_steps;
             const bool converged = minimise();

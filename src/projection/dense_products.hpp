@@ -19,7 +19,7 @@ public:
     /// \returns false where active normals depend on each other
     bool follow(const std::vector<char>& active);
 
-    /// Multipliers x of the active ones, with (sum_j x_j a_j) . a_i = wanted_i. Those of the others are 0.
+    /// Multipliers x of the active ones, with (sum_j x_j a_j) . a_i = wanted_i. Multipliers of the others are 0.
     /// \pre follow returned true
     std::vector<double> multipliers(std::span<const double> wanted) const;
 

@@ -97,7 +97,8 @@ private:
         while (steps_left_-- > 0) {
             const ThinQr::Split split = qr_.split(normal);
             const bool is_dependent = split.residual_norm2 <= dependent_normal * dependent_normal;
-            // Of a normal that depends on the active ones, what rounding leaves of a zero must not block.
+            // A coefficient that rounding leaves of a zero must not block, for a normal that depends on the active
+            // ones.
             double least = 0;
             if (is_dependent)
                 for (const double c : split.coefficients)
@@ -142,7 +143,8 @@ private:
 
     void found_conflict(int p, const std::vector<double>& coefficients)
     {
-        // In a cone this is rounding: such a normal is minus a sum of active ones, its slack minus that of their zeros.
+        // Rounding, if the half-spaces are a cone: such a normal is minus a sum of active ones, its slack minus that of
+        // their zeros.
         skip(p);
         if (is_satisfied(unit_slack(p), static_cast<std::size_t>(p), missed_by_dependent, missed_units_by_dependent))
             return;

@@ -11,16 +11,16 @@ namespace carom {
 
 struct DualActiveSetResult {
     Projection projection;
-    /// Not empty: multipliers mu > 0 of the half-spaces listed here have sum mu_i a_i = 0 (unit normals of the metric),
-    /// so that no point lies inside all of them (Gordan's alternative).
+    /// Half-spaces in conflict, or empty: multipliers mu > 0 of those listed have sum mu_i a_i = 0 (unit normals of the
+    /// metric), so that no point lies inside all of them (Gordan's alternative).
     std::vector<int> conflict;
 };
 
 struct DualActiveSetOptions {
-    /// Where the point lies farther away than this (in the metric) the half-spaces count as in conflict, those with a
-    /// multiplier above rounding.
+    /// Distance of the point, in the metric, beyond which the half-spaces with a multiplier above rounding count as in
+    /// conflict.
     double largest_distance = any_distance;
-    /// Slacks above -this, in units of the normal's length in the metric, count as satisfied, too.
+    /// Negative slack that counts as satisfied, too, in units of the normal's length in the metric.
     double unit_tolerance = 0;
 };
 

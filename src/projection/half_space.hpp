@@ -39,7 +39,7 @@ inline void push(const HalfSpace& h, std::span<const double> w, double multiplie
     if (h.b) x[static_cast<std::size_t>(*h.b)] -= (w[static_cast<std::size_t>(*h.b)] * multiplier) * h.normal;
 }
 
-/// A point, a metric and a polyhedron: whoever solves it finds the point of the polyhedron that is nearest.
+/// A point, a metric and a polyhedron. The solution is the point of the polyhedron that is nearest to the start.
 struct ProjectionProblem {
     std::vector<Vec3> start;
     std::vector<double> w;  ///< > 0, by vector: distance^2 = sum |x_k - start_k|^2 / w_k
@@ -50,8 +50,8 @@ struct ProjectionProblem {
 struct Projection {
     std::vector<Vec3> point;          ///< unique
     std::vector<double> multipliers;  ///< by half-space, >= 0: point = start + sum of pushes; need not be unique
-    /// Every slack is above -tolerance, those of multipliers > 0 within it. Otherwise the bound on steps was met, and
-    /// the point is start + pushes all the same.
+    /// Whether every slack is above -tolerance, those of multipliers > 0 within it. Otherwise the bound on steps was
+    /// met, and the point is start + pushes all the same.
     bool complete = true;
     int steps = 0;  ///< of the solver: half-spaces that became active, Newton steps or sweeps
 };

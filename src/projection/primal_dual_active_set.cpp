@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// That leave no slack, by the slacks that the point really has.
+    /// Multipliers that leave no slack, judged by the slacks that the point really has.
     void find_multipliers()
     {
         out_.multipliers.assign(normals_.size(), 0);
@@ -79,7 +79,7 @@ private:
         return some;
     }
 
-    /// Of the active ones, either way.
+    /// The largest slack of the active ones, in either direction.
     double largest_slack() const
     {
         double out = 0;

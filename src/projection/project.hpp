@@ -13,7 +13,7 @@ namespace carom {
 /// of them. \param guess by half-space, or empty: multipliers to begin with, which save time in large parts
 Projection project(const ProjectionProblem& problem, std::span<const int> chosen, std::span<const double> guess = {});
 
-/// All of them.
+/// The same with all half-spaces.
 Projection project(const ProjectionProblem& problem, std::span<const double> guess = {});
 
 }  // namespace carom

@@ -77,7 +77,7 @@ public:
             residual = std::move(next_residual);
             gradient = transposed_times(residual);
             const double next_slope = product(gradient, gradient);
-            // Of the residual all may be left that cannot be mended; then its gradient tells.
+            // The residual may be all that cannot be mended; then its gradient tells.
             if (!(next_left < left || next_slope < slope)) break;
             left = std::min(left, next_left);
             slope = std::min(slope, next_slope);

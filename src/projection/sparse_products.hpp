@@ -7,8 +7,8 @@
 
 namespace carom {
 
-/// As DenseProducts, for thousands of normals that each concern one vector or two. Those that depend on each other get
-/// multipliers all the same. These are nearly right: asked again for what they leave, they leave epsilon / sigma^2 of
+/// Products as those of DenseProducts, for thousands of normals that each concern one vector or two. Dependent normals
+/// get multipliers all the same. All are nearly right: asked again for what they leave, they leave epsilon / sigma^2 of
 /// it, sigma the singular values of the normals (the method of multipliers; Bertsekas, Constrained Optimization and
 /// Lagrange Multiplier Methods, 1982, chapter 2).
 class SparseProducts {

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-// What solves what (project.hpp).
+// The choice of the solver (project.hpp).
 
 /// Half-spaces [1] up to which the dense active set solves a part: it is exact to rounding and at ease with dependent
 /// ones. Measured: with 28 it takes as long as sparse factors, with 82 two to five times as long, 0.2 ms.
