@@ -1,5 +1,5 @@
 /// \file
-/// Where the blocks of a sparse factor are.
+/// The places of the blocks of a sparse factor.
 #pragma once
 
 #include <memory>
@@ -20,8 +20,9 @@ struct BlockPattern {
     double factor_cost = 0;  ///< multiplications
 };
 
-/// Of the factor of a symmetric matrix of 3 x 3 blocks, in a fill-reducing order: approximate minimum degree (Amestoy,
-/// Davis and Duff 1996, Eigen's). The last few are kept, since heaps ask for the same one again and again.
+/// The pattern of the factor of a symmetric matrix of 3 x 3 blocks, in a fill-reducing order: approximate minimum
+/// degree (Amestoy, Davis and Duff 1996, Eigen's). The last few are kept, since heaps ask for the same one again and
+/// again.
 /// \param edges pairs of different blocks that may be coupled, each once
 std::shared_ptr<const BlockPattern> block_pattern(int blocks, const std::vector<std::pair<int, int>>& edges);
 

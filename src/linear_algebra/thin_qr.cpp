@@ -9,7 +9,7 @@ namespace carom {
 
 namespace {
 
-/// In four sums: one would wait for each addition, and the compiler must not reorder.
+/// A dot product in four sums: one would wait for each addition, and the compiler must not reorder.
 double dot(const double* a, const double* b, int n)
 {
     double sum[4] = {};
