@@ -1,6 +1,6 @@
 /// \file
-/// Which kernel runs a scene. A kernel is the loop of run.hpp over a schedule that has just the features its name
-/// promises.
+/// The choice of the kernel that runs a scene. A kernel is the loop of run.hpp over a schedule that has just the
+/// features its name promises.
 #include "event_driven/engine.hpp"
 
 #include "event_driven/range.hpp"

@@ -1,6 +1,6 @@
 /// \file
-/// More impacts of one body within one window than any number of separate contacts explains are a Zeno point that
-/// nobody sums. (The bound of the design, B n / h of a component of n bodies; windows of h follow one another.)
+/// The rate of impacts. More of them within one window than separate contacts explain are a Zeno point that nothing
+/// sums. The bound is B n for n connected bodies; windows follow one another (docs/impacts.md, section 7).
 #pragma once
 
 #include "motion/state.hpp"
@@ -20,8 +20,8 @@ public:
     {
     }
 
-    /// Count an event of `body`, each event for one of its bodies; true when its component may have had too many, and
-    /// it is time to ask: beyond B, then when it has used up its share of what the last answer left.
+    /// Counts an event of `body`, each event for one of its bodies. \returns whether its component may have had too
+    /// many, so that it is time to ask: beyond B, then when it has used up its share of what the last answer left.
     bool add(const State& state, const EpochTime& now, BodyId body)
     {
         Recent& recent = recent_[static_cast<std::size_t>(body)];
@@ -32,11 +32,11 @@ public:
         return ++recent.count >= recent.next;
     }
 
-    /// Components of so many bodies have not had too many, for all bodies together have not had more.
+    /// Number of bodies from which on a component cannot have had too many, for all bodies together have not had more.
     std::size_t enough() const { return static_cast<std::size_t>(all_.count / bound_) + 1; }
 
-    /// Do these bodies have more than B events a body within the window, all added? Then until its end each further one
-    /// is one too many. \pre add has just asked for one of them
+    /// Whether these bodies together have had more than B events a body within the window. From then until its end each
+    /// further event is one too many. \pre add has just asked for one of them
     bool accumulates(const State& state, const EpochTime& now, std::span<const BodyId> component)
     {
         const double window = number(state, now);
@@ -61,7 +61,7 @@ private:
         std::int64_t count = 0, next = 0;
     };
 
-    /// Of the window: they follow one another from the start.
+    /// Number of the window: windows follow one another from the start.
     double number(const State& state, const EpochTime& now) const
     {
         return std::floor(state.frame.seconds(now) / length_);

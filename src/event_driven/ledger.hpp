@@ -17,7 +17,7 @@ class Ledger {
 public:
     Ledger(const State& state, const Kernel& kernel, const Observer& observer);
 
-    /// Record the impact of a sphere on a plane, at event.at.
+    /// Records the impact of a sphere on a plane, at event.at.
     void record_bounce(const Event& impact, int plane, double penetration)
     {
         ++out.counts.impacts;
@@ -26,25 +26,26 @@ public:
         hash_.add(impact);
         if (observer_.on_event) show(impact);
     }
-    /// Record an event that happens at `now`.
+    /// Records an event that happens at `now`.
     void record(const State& state, const EpochTime& now, Event event);
-    /// Show the observer what the run consists of, and each flight as it begins.
+    /// Shows the observer the rulers of the run, and each flight as it begins.
     void show_frame(const State& state) const;
     bool shows_flights() const { return static_cast<bool>(observer_.on_flight); }
     void show_flight(const State& state, BodyId body) const
     {
         if (observer_.on_flight) observer_.on_flight(record_of(state, body));
     }
-    /// Add what a plane has carried since the body's flight began, from the balance of normal momentum, and the time in
-    /// pieces. Call before the motion changes.
+    /// Adds the impulse that a plane has carried since the body's flight began, from the balance of normal momentum,
+    /// and the time in pieces. To be called before the motion changes.
     void account_for_motion(const State& state, BodyId body, const EpochTime& now);
 
-    /// The same where a body in several contacts goes on resting under other forces. Call before they change.
+    /// The same for a body in several contacts that goes on resting under other forces. To be called before they
+    /// change.
     void forces_change(const State& state, BodyId body, const EpochTime& now);
 
-    /// A body's motion becomes another one at `now`. Call before it does.
+    /// Notes when a body comes to rest or goes on, as its motion becomes `next` at `now`. To be called before it does.
     void note_motion(const State& state, BodyId body, const Motion& next, const EpochTime& now);
-    /// What an event counts beside its events, and what thresholds took.
+    /// Adds what an outcome counts beside its events, and the energy that thresholds took.
     void add(const EventOutcome& outcome);
 
     std::int64_t events() const

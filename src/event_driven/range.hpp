@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// Why the scene cannot be run until `until` [time], because numbers on the way would leave the range of doubles, or
-/// times and places that of the frame's epochs and cells; empty if it can. Lengths, masses, speeds and accelerations
+/// The reason why the scene cannot be run until `until` [time]: numbers on the way would leave the range of doubles, or
+/// times and places that of the frame's epochs and cells. Empty if it can. Lengths, masses, speeds and accelerations
 /// may be up to 2^400 in size, also the speed that the lightest sphere would have with all the energy; radii and masses
 /// down to 2^-400. \pre the scene is valid
 std::string out_of_range(const Scene& scene, double until);

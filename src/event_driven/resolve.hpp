@@ -1,5 +1,5 @@
 /// \file
-/// What an event does: motions in, an outcome out. Nothing is changed here; the loop commits.
+/// The resolution of an event: motions in, an outcome out. Nothing is changed here; the loop commits.
 #pragma once
 
 #include "gather/may_touch.hpp"
@@ -13,7 +13,7 @@ namespace carom {
 Event make_event(const State& state, EventKind kind, BodyId a, Partner b, const Vec3& normal,
                  const Vec3& impulse = Vec3::Zero());
 
-/// Carry out the event `key`, whose participants have not changed since it was predicted.
+/// Carries out the event `key`, whose participants have not changed since it was predicted.
 /// \param out empty
 /// \returns whether it was an event of one contact alone, not of a component
 bool resolve(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out);

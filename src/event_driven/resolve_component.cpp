@@ -34,7 +34,7 @@ public:
         collide();
         const double speed = std::max(speed_, largest_speed(velocities_before(component_.problem)));
         const HeldContacts held = hold(state_, component_, now_, out_);
-        // Where what is asked for is less than slow, so is what balances it.
+        // If the impulse of the event's own contact is less than slow, so are those that balance it.
         double least = slow(speed);
         for (std::size_t i = 0; i < contacts.size(); ++i)
             if (is_asked(contacts[i]))
@@ -104,7 +104,7 @@ private:
         return some;
     }
 
-    /// Bodies that were close by only keep their flights.
+    /// Drops changes of bodies that were only close by: they keep their flights.
     void drop_what_goes_on(const ContactProblem& before)
     {
         std::unordered_set<BodyId> named;
@@ -128,7 +128,7 @@ private:
                leaning->plane == std::get<Leaning>(change.motion).plane;
     }
 
-    /// Is it the contact of an impact that the event is about?
+    /// Whether it is the contact of the impact that the event is about.
     bool is_asked(const Contact& c) const
     {
         if (!key_ || (key_->kind != Scheduled::pair_impact && key_->kind != Scheduled::plane_impact)) return false;
@@ -145,8 +145,9 @@ private:
         return state_.inverse_mass(component_.id_of_a(c)) + state_.inverse_mass(c.partner);
     }
 
-    /// What happened to a contact: an impulse, or none; that it begins to persist, or opens. A contact that opened
-    /// slowly and was held is pulled, which no impact does. Contacts of the start neither begin nor end.
+    /// Records what happened to a contact: an impulse or none, and that it begins to persist or opens. The impulse of a
+    /// contact that opened slowly and was held pulls, which that of no impact does. Contacts of the start neither begin
+    /// nor end.
     void record(const Contact& c, const Vec3& impulse, bool persists)
     {
         const bool changes = !impulse.isZero(0);

@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// Carry out the event `key` for all bodies that contacts connect with its own. \param out empty
+/// Carries out the event `key` for all bodies that contacts connect with its own. \param out empty
 void resolve_component(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out);
 
 }  // namespace carom

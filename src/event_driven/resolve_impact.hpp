@@ -16,7 +16,7 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
 /// the first within a few ulps of the speed, end that: at most so many.
 inline constexpr int most_nudges = 64;
 
-/// How the body moves on if nothing happens to it: to be changed.
+/// The body's motion from here on if nothing happens to it: to be edited.
 inline Change& add_change(const State& state, BodyId body, const EpochTime& now, EventOutcome& out)
 {
     Change& change = out.changes.emplace_back();

@@ -14,7 +14,7 @@ namespace carom {
 
 namespace {
 
-/// Is this more than an impact of a sphere and a plane alone, or less: one without a rebound? (Where gravity presses,
+/// Whether this is more than an impact of a sphere and a plane alone, or one without a rebound. (If gravity presses,
 /// low bounces are summed instead, or go on until rounding ends them.)
 bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const Flight& f, const Vec3& normal,
                 const Neighbourhood& neighbourhood)

@@ -13,7 +13,7 @@ namespace carom {
 
 namespace {
 
-/// Is this more than an impact of two spheres alone, or less: one without a rebound, whose contact may persist?
+/// Whether this is more than an impact of two spheres alone, or one without a rebound, whose contact may persist.
 bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const Flight& a, const Flight& b,
                 double closing, const Neighbourhood& neighbourhood)
 {

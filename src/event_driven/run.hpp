@@ -62,7 +62,7 @@ private:
                std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.max_seconds));
     }
 
-    /// Contacts of the start take hold before anything is predicted.
+    /// The start: contacts that the scene declares take hold before anything is predicted.
     const State& begin()
     {
         ledger_.show_frame(state_);
@@ -75,7 +75,7 @@ private:
         for (const EventOutcome& component : components)
             if (component.events.empty()) commit(component);
         for (BodyId i = 0; i < state_.count(); ++i) ledger_.show_flight(state_, i);
-        // Those that close have their impacts then, from flights that everybody has seen.
+        // Components that close have their impacts then, from flights that the observer has seen.
         for (const EventOutcome& component : components) {
             if (component.events.empty()) continue;
             commit(component);
@@ -109,7 +109,7 @@ private:
                 schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
         else
             schedule_.flights_changed(state_, outcome_.changes, now_, ledger_.out.counts);
-        // Not to stand still: an event of a component without an impact counts, too.
+        // An event of a component without an impact counts, too: the run must not stand still.
         if (!alone && impact && outcome_.events.empty()) {
             hit_.assign({key.a});
             if (key.b.is_sphere()) hit_.push_back(key.b.index);
@@ -117,7 +117,7 @@ private:
         return hit_.empty() ? limits() : watch(key, hit_);
     }
 
-    /// What was allocated stays for the next event.
+    /// Empties an outcome; what it has allocated stays for the next event.
     static void clear(EventOutcome& outcome)
     {
         outcome.changes.clear();
@@ -129,7 +129,7 @@ private:
         outcome.penetration = 0;
     }
 
-    /// Where policy none stops.
+    /// Whether a body comes to rest, which ends a run under policy none.
     bool comes_to_rest(const EventOutcome& outcome) const
     {
         return state_.scene.rest.policy == RestPolicy::none &&
@@ -143,7 +143,7 @@ private:
     }
     Status zeno(const Key& key) { return stop(Status::zeno, "impacts of " + names(key) + " accumulate: a Zeno point"); }
 
-    /// Impacts of these bodies may accumulate.
+    /// Counts an impact of each of these bodies; where impacts accumulate the guard takes over.
     Status watch(const Key& key, std::span<const BodyId> bodies)
     {
         for (const BodyId body : bodies) {
@@ -194,7 +194,7 @@ private:
         ledger_.record(state_, now_, event);
     }
 
-    /// Nothing but an event changes what an observer would see until then.
+    /// The time until which nothing but an event changes what an observer would see.
     EpochTime horizon() const
     {
         if (next_sample_ == observer_.sample_times.size()) return end_;
