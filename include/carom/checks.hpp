@@ -1,5 +1,5 @@
 /// \file
-/// What a scene's `checks` say, held against an event-driven run of it.
+/// The `checks` of a scene, held against an event-driven run of it.
 #pragma once
 
 #include <carom/study.hpp>
@@ -14,7 +14,7 @@ namespace carom {
 enum class CheckVerdict : std::uint8_t {
     holds,
     fails,
-    open  ///< the run ended before what the check asks about: it does not hold, and nobody knows
+    open  ///< the run ended before what the check asks about: whether it holds is not known
 };
 /// "holds", "fails", "open".
 const char* name(CheckVerdict verdict);
@@ -27,7 +27,7 @@ struct CheckResult {
     std::string message;          ///< for people: what was expected and found; why it is open
 };
 
-/// What a run showed, as far as checks ask.
+/// Figures of a run that checks ask for.
 struct CheckedRun {
     RunStudy study;
     std::vector<double> impact_times;  ///< of the first impacts, as many as checks ask about [time]

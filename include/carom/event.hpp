@@ -1,12 +1,12 @@
 /// \file
-/// What a run reports while it goes: events.
+/// Events: the reports of a run while it goes.
 #pragma once
 
 #include <carom/types.hpp>
 
 namespace carom {
 
-/// Values are part of `event_hash`; never renumber.
+/// Kinds of events. Values are part of `event_hash` (docs/recording.md): never renumber.
 enum class EventKind : std::uint8_t {
     impact = 1,   ///< a contact got an impulse
     rest = 2,     ///< normal motion on a plane ended: the contact persists from here on
@@ -25,7 +25,7 @@ struct Event {
     BodyId a = no_body;          ///< the sphere; of two spheres the smaller id
     BodyId b = no_body;          ///< the other sphere, or Scene::plane_body(p)
     Vec3 normal = Vec3::Zero();  ///< unit, from b to a
-    /// On a; -impulse acts on b [mass length/time]. A rest carries the summed impulse of its series.
+    /// Impulse on a; -impulse acts on b [mass length/time]. A rest carries the summed impulse of its series.
     Vec3 impulse = Vec3::Zero();
 };
 

@@ -1,6 +1,7 @@
 /// \file
-/// What a scene needs of an engine, and what each compiled kernel has. A scene runs on the first kernel of the list
-/// that covers its needs, so it pays for nothing that it does not use. All kernels give the same events, bit for bit.
+/// Features that a scene needs of an engine, and those that each compiled kernel has. A scene runs on the first kernel
+/// of the list that covers its needs, so it pays for nothing that it does not use. All kernels give the same events,
+/// bit for bit.
 #pragma once
 
 #include <carom/method.hpp>
@@ -18,10 +19,10 @@ struct Features {
     friend constexpr bool operator==(const Features&, const Features&) = default;
 };
 
-/// A pure function of the data.
+/// The features that a scene needs: a pure function of the data.
 Features needs(const Scene& scene);
 
-/// Does a kernel with features `kernel` run a scene that needs `needed`?
+/// Whether a kernel with features `kernel` runs a scene that needs `needed`.
 constexpr bool covers(const Features& kernel, const Features& needed)
 {
     return (kernel.gravity || !needed.gravity) && (kernel.pairs || !needed.pairs);
@@ -33,14 +34,14 @@ struct Kernel {
     std::string_view leaves_out;  ///< for people
 };
 
-/// Cheapest first; the last one covers everything.
+/// The kernels, cheapest first; the last one covers everything.
 std::span<const Kernel> kernels();
 
 /// The kernel called `forced`, or the first that covers the scene if `forced` is empty.
 /// \throws InputError if there is no kernel of that name or it lacks what the scene needs
 const Kernel& choose_kernel(const Scene& scene, std::string_view forced = {});
 
-/// What `BroadPhase::automatic` takes: all pairs for few spheres, a cell grid for many. \param spheres their number
+/// The choice of `BroadPhase::automatic`: all pairs for few spheres, a cell grid for many. \param spheres their number
 BroadPhase automatic_broad_phase(std::size_t spheres);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 /// \file
-/// What an event-driven run consists of: flights, as the engine stores them, to the last bit. Recordings keep them and
+/// Flights, of which an event-driven run consists, as the engine stores them, to the last bit. Recordings keep them and
 /// `verify` reads them.
 #pragma once
 
@@ -15,11 +15,11 @@ namespace carom {
 struct RunFrame {
     double epoch_length = 1;  ///< [time], a power of two
     double cell_size = 1;     ///< [length], a power of two
-    /// FlightRecord::acceleration counts in this table. Entry 0 is zero [length/time^2].
+    /// The table in which FlightRecord::acceleration counts. Entry 0 is zero [length/time^2].
     std::vector<Vec3> accelerations;
 };
 
-/// A Zeno series of bounces on one plane, summed in closed form (see src/contact/series.hpp).
+/// A Zeno series of bounces on one plane, summed in closed form (docs/impacts.md, section 5).
 struct SeriesRecord {
     double normal_speed = 0;           ///< with which the first bounce left, > 0 [length/time]
     double gravity = 0;                ///< towards the plane, > 0 [length/time^2]
@@ -34,7 +34,7 @@ inline constexpr std::int32_t several_supports = -2;
 /// FlightRecord::acceleration of a flight that has one of its own.
 inline constexpr std::int32_t own_acceleration = -1;
 
-/// From `start` until the same body's next flight: x(t) = x0 + v0 (t - start) + a (t - start)^2 / 2, in exact
+/// A body's motion from `start` until its next flight: x(t) = x0 + v0 (t - start) + a (t - start)^2 / 2, in exact
 /// arithmetic on the numbers here, x0 and v0 each being a sum of doubles (the low parts are 0 in runs of plain
 /// doubles). Origin and start time of the scene play no part.
 struct FlightRecord {

@@ -25,7 +25,8 @@ struct ReadOptions {
     std::vector<std::string> set{};
 };
 
-/// Read, expand and validate a scene file (format carom-scene/1). Numbers are those of the file, units are the scene's.
+/// The scene of a file (format carom-scene/1), expanded and validated. Numbers are those of the file, units are the
+/// scene's.
 /// \throws InputError with every problem found: "FILE: JSON-POINTER: what is wrong (the cure)"; syntax: "FILE:LINE:COL:
 /// ..."; likewise if the file cannot be read. \post the scene is valid (`validate`).
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options = {});
@@ -46,7 +47,8 @@ struct CatalogueEntry {
 /// folder, no entries. Nothing is thrown.
 std::vector<CatalogueEntry> list_scenes(const std::filesystem::path& root);
 
-/// `what` as a path if such a file exists, otherwise the catalogue scene of that name under `root`.
+/// The file of a scene: `what` as a path if such a file exists, otherwise the catalogue scene of that name under
+/// `root`.
 /// \throws InputError with the nearest catalogue names, or if `what` is a folder.
 std::filesystem::path find_scene(const std::string& what, const std::filesystem::path& root);
 
@@ -60,8 +62,8 @@ struct RecordingOptions {
 };
 
 /// Writes a recording (docs/recording.md) while a run goes: hand its functions to an Observer. Memory does not grow
-/// with the run. What is on disk is whole up to the last chunk, also if the process is killed; chunks are written at
-/// least every second while there is something to write.
+/// with the run. The file is whole up to the last chunk, also if the process is killed; chunks are written at least
+/// every second while there is something to write.
 class RecordingWriter {
 public:
     /// Makes the file, in place of one that is there, and its folder. `scene` must outlive the writer.
@@ -74,7 +76,7 @@ public:
     void on_frame(const RunFrame& frame);
     void on_event(const Event& event);
     void on_flight(const FlightRecord& flight);
-    /// The last rows, and how the run ended. A recording without this counts as cut off.
+    /// Writes the last rows and the end of the run. A recording without this counts as cut off.
     void finish(const Outcome& outcome);
 
 private:
@@ -107,7 +109,7 @@ private:
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// `what` if it is a file, else the recording in that folder. \throws InputError if there is none
+/// The file of a recording: `what` if it is a file, else the one in that folder. \throws InputError if there is none
 std::filesystem::path find_recording(const std::filesystem::path& what);
 
 }  // namespace carom

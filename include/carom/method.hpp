@@ -10,8 +10,8 @@
 
 namespace carom {
 
-/// How candidate pairs are found. `automatic` takes all pairs for few spheres and a cell grid for many.
-/// Results do not depend on it, bit for bit; only the cost does.
+/// The search for candidate pairs. `automatic` takes all pairs for few spheres and a cell grid for many. Results do not
+/// depend on it, bit for bit; only the cost does.
 enum class BroadPhase : std::uint8_t { automatic, all_pairs, cell_grid };
 
 /// Exact in time: the next contact is a root, not a step.
@@ -24,20 +24,20 @@ struct EventDriven {
     bool certified = false;
 };
 
-/// In which order a discrete method visits the contacts of one pass.
+/// Order in which a discrete method visits the contacts of one pass.
 enum class ContactOrder : std::uint8_t { index, reverse, random, deepest };
 
-/// What all discrete methods take. Semi-implicit Euler: v += h g, then p += h v, with h = dt / substeps.
+/// Options of all discrete methods. Semi-implicit Euler: v += h g, then p += h v, with h = dt / substeps.
 struct StepOptions {
     double dt = 1.0 / 240;  ///< > 0 [time]; the last step is shortened to end the run on time
     int substeps = 1;       ///< >= 1, steps of dt / substeps each
     int passes = 1;         ///< >= 1, how often the contact phases are repeated in a substep
     ContactOrder order = ContactOrder::index;
-    bool literal = false;    ///< pbd only: the handout's unconditional response (also when separating), once a substep
+    bool literal = false;    ///< pbd only: the textbook's unconditional response (also when separating), once a substep
     std::uint64_t seed = 1;  ///< for ContactOrder::random
 };
 
-/// Position based: move, then respond and project overlaps (handout; Mueller et al. 2007 for the name).
+/// Position based: move, then respond and project overlaps (after Mueller et al., Position based dynamics, 2007).
 struct PositionBased : StepOptions {
     static constexpr std::string_view method_name = "pbd";
     bool mass_weighted = false;  ///< share a projection by inverse mass instead of half and half
@@ -46,12 +46,13 @@ struct PositionBased : StepOptions {
 struct VelocityBased : StepOptions {
     static constexpr std::string_view method_name = "velocity";
 };
-/// Step, and when an overlap appears go back to the first contact by bisection, respond there, go on (handout).
+/// Bisection: step, and when an overlap appears go back to the first contact by bisection of the step, respond there,
+/// go on.
 struct Bisection : StepOptions {
     static constexpr std::string_view method_name = "bisection";
 };
-/// Response on velocity alone, no approach test, no correction: sinks and sticks. The handout's warning, a positive
-/// control.
+/// Response on velocity alone, no approach test, no correction: it sinks and sticks. A warning, and a positive control
+/// of tests.
 struct Naive : StepOptions {
     static constexpr std::string_view method_name = "naive";
 };
@@ -66,7 +67,7 @@ struct Moreau : StepOptions {
 /// Each alternative says what users call it, `method_name`; names, help texts and messages follow from this list.
 using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive, Moreau>;
 
-/// What users call it: "event", "pbd", "velocity", "bisection", "naive", "moreau".
+/// The word that users know it by: "event", "pbd", "velocity", "bisection", "naive", "moreau".
 std::string_view name(const Method& method);
 /// All method names, in the order of the variant.
 const std::vector<std::string>& method_names();

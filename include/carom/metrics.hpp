@@ -1,5 +1,5 @@
 /// \file
-/// Figures of a state: what is conserved, what overlaps, who is outside, how far two states are apart.
+/// Figures of a state: conserved quantities, overlaps, spheres outside, distance of two states.
 ///
 /// \pre everywhere: the scene is valid, `states` are one for each of its spheres, in body order; of two lists both are
 /// of one length. Sums are compensated. A state that is not finite makes a figure that is not, unless said otherwise.

@@ -1,6 +1,6 @@
 /// \file
-/// How a scene answers contact beyond the law of a single impact: several contacts at once, coming to rest, and what is
-/// done where impacts accumulate.
+/// The response of a scene beyond the law of a single impact: several contacts at once, coming to rest, and the guard
+/// against impacts that accumulate. Laws and thresholds: docs/impacts.md.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// How the impacts of several contacts at one instant are resolved together.
+/// Operators that resolve the impacts of several contacts at one instant together.
 enum class ImpactOperator : std::uint8_t {
     reflections,  ///< generalized reflections (Smith et al. 2012), with a test for jams; any mix of e
     sequential,   ///< the pair law again and again, in the order of the contacts (Gauss-Seidel)
@@ -37,8 +37,8 @@ struct LcpOptions {
 
 struct ImpactOptions {
     ImpactOperator impact_operator = ImpactOperator::reflections;
-    /// >= 0: contacts that are this fraction of the smaller radius apart, or less, when one of them closes belong to
-    /// one instant. Unset: 1e-12, and exact ties in certified runs.
+    /// Gap >= 0 [smaller radius] up to which another contact belongs to the instant at which one closes. Unset: 1e-12.
+    /// In certified runs the contacts must also close at the same time, as far as double-double can tell.
     std::optional<double> tie;
     LcpOptions lcp;
 };
@@ -50,7 +50,7 @@ enum class RestPolicy : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 3> rest_policy_names{"contact", "micro", "none"};
 
-/// When and how spheres come to rest. Unset values take the defaults of `rest_thresholds`.
+/// Options of coming to rest. Unset values take the defaults of `rest_thresholds`.
 struct RestOptions {
     RestPolicy policy = RestPolicy::contact;
     std::optional<double> closing_speed;  ///< v_c >= 0 [length/time]
@@ -64,10 +64,11 @@ struct RestOptions {
 enum class GuardFallback : std::uint8_t { moreau, velocity, pbd };
 inline constexpr std::array<std::string_view, 3> guard_fallback_names{"moreau", "velocity", "pbd"};
 
-/// Where impacts of connected bodies, some of them inelastic, accumulate, a discrete method takes these bodies over.
+/// Options of the guard: a discrete method takes over connected bodies whose impacts, some of them inelastic,
+/// accumulate.
 struct GuardOptions {
-    bool on = true;     ///< off: such a run ends with Status::unresolved
-    int impacts = 100;  ///< B >= 1: more than B n instants of n connected bodies within a window are too many
+    bool on = true;                ///< off: such a run ends with Status::unresolved
+    int impacts = 100;             ///< B >= 1: more than B n impacts of n connected bodies within a window are too many
     std::optional<double> window;  ///< > 0 [time]; unset: the numeric step h
     GuardFallback fallback = GuardFallback::moreau;
 };

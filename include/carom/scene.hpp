@@ -1,8 +1,8 @@
 /// \file
 /// A scene as plain data: what the files in `scenes/` say, with every fill and box expanded.
 ///
-/// Ranges are noted with the fields and checked by `validate`; whoever takes a scene expects a valid one. Functions
-/// here throw nothing.
+/// Ranges are noted with the fields and checked by `validate`; functions that take a scene expect a valid one.
+/// Functions here throw nothing.
 #pragma once
 
 #include <carom/response.hpp>
@@ -18,11 +18,11 @@
 
 namespace carom {
 
-/// How one material answers an impact. Of two materials in contact the smaller value holds, unless a ContactRule says
-/// otherwise.
+/// The answer of a material to an impact. The smaller value of two materials in contact holds, unless a ContactRule
+/// says otherwise.
 struct Material {
     std::string name;
-    double restitution = 1;  ///< e (handout: beta), in [0, 1]: v_n+ = -e v_n
+    double restitution = 1;  ///< e, in [0, 1]: v_n+ = -e v_n
     double tangential = 1;   ///< alpha, in [0, 1]: v_t+ = alpha v_t; acts at planes
     std::string color;       ///< CSS colour, may be empty
 };
@@ -40,7 +40,7 @@ struct ContactRule {
 struct ContactLaw {
     double restitution = 1;  ///< e
     double tangential = 1;   ///< alpha
-    double attenuation = 1;  ///< handout's damping; not Galilean invariant
+    double attenuation = 1;  ///< damping of both velocities after an impact of two spheres; not Galilean invariant
 };
 
 struct Sphere {
@@ -54,8 +54,8 @@ struct Sphere {
     bool fixed = false;            ///< never moves: velocity 0, infinitely heavy in impacts whatever `mass` says
 };
 
-/// Without thickness: a half-space wall, free side normal.x >= offset, gap = normal.x - offset - r.
-/// With thickness: a two-sided plate, gap = |normal.x - offset| - thickness/2 - r.
+/// A plane. Without thickness: a half-space wall, free side normal.x >= offset, gap = normal.x - offset - r. With
+/// thickness: a two-sided plate, gap = |normal.x - offset| - thickness/2 - r.
 struct Plane {
     std::string id;
     Vec3 normal = Vec3::UnitZ();      ///< unit length to rounding
@@ -90,8 +90,7 @@ struct Scene {
     Units units;
     Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
     Vec3 origin = Vec3::Zero();   ///< where the scene lies; positions and planes are relative to it [length]
-    /// What the clock showed when the run began: a label, no time of a run counts from it. `epoch` counts epochs of the
-    /// run.
+    /// The clock's time when the run began: a label, no time of a run counts from it. `epoch` counts epochs of the run.
     EpochTime start_time;
     double end_time = 0;     ///< > 0, length of the run [time]
     std::uint64_t seed = 1;  ///< every random choice comes from it
@@ -127,7 +126,7 @@ ContactLaw sphere_contact_law(const Scene& scene, int material_a, int material_b
 /// attenuation 1.
 ContactLaw plane_contact_law(const Scene& scene, int sphere_material, int plane_material);
 
-/// RestOptions with every default filled in (source: this project; documented with the run).
+/// RestOptions with every default filled in (this project; docs/impacts.md, section 4).
 struct RestThresholds {
     double closing_speed;  ///< v_c: slower closings count as rest [length/time]
     double window;         ///< tau_p: a contact that closed more recently is inelastic [time]

@@ -17,7 +17,7 @@
 
 namespace carom {
 
-/// How a run ended.
+/// The end of a run.
 enum class Status : std::uint8_t {
     reached_end,
     event_limit,  ///< RunOptions::max_events
@@ -43,7 +43,7 @@ struct RunOptions {
     double max_seconds = std::numeric_limits<double>::infinity();  ///< > 0; wall clock, looked at now and then [s]
 };
 
-/// Who looks at a run. An empty function costs nothing. Looking never changes a run: flights change at contacts only.
+/// An observer of a run. An empty function costs nothing. Looking never changes a run: flights change at contacts only.
 /// Functions are called in the order of time, on the thread of the run; what they throw ends the run and passes on.
 struct Observer {
     std::vector<double> sample_times;  ///< ascending, in [0, until], since the start [time]
@@ -62,7 +62,7 @@ struct Observer {
 struct Counts {
     std::int64_t impacts = 0;   ///< contacts that got an impulse (an instant may have several impacts of a pair)
     std::int64_t clusters = 0;  ///< instants at which several contacts were resolved together
-    std::int64_t capped = 0;    ///< of them, those whose operator met its bound: they were inelastic instead
+    std::int64_t capped = 0;    ///< those of them whose operator met its bound: they were inelastic instead
     std::int64_t rests = 0, releases = 0, guarded = 0, settles = 0;
     std::int64_t cell_crossings = 0, list_rebuilds = 0;
     std::int64_t stale = 0;          ///< scheduled events that were out of date when their turn came
@@ -72,8 +72,8 @@ struct Counts {
     std::int64_t numeric_steps = 0;  ///< of clusters whose normals turn
 };
 
-/// Kinetic energy that thresholds and bounds took, each >= 0 up to rounding [energy]. What impacts take by e < 1 is not
-/// in it.
+/// Kinetic energy that thresholds and bounds took, each >= 0 up to rounding [energy]. Energy that impacts take by e < 1
+/// is not in it.
 struct EnergyTaken {
     double closing = 0;      ///< impacts made inelastic: every closing slower than v_c, or closed less than tau_p ago
     double settling = 0;     ///< contacts declared persistent: their rest of normal speed
@@ -105,9 +105,10 @@ struct Outcome {
     double epoch_length = 1;       ///< power of two [time]
 };
 
-/// Run a scene. \pre the scene is valid (`validate`), options in range. \post Outcome::final has a state for each
-/// sphere, all numbers finite unless status says otherwise. Runs share nothing: several may go on at once, on threads
-/// of their own. The same arguments give the same outcome, bit for bit, unless a limit of time stopped it.
+/// The outcome of a run of a scene. \pre the scene is valid (`validate`), options in range. \post Outcome::final has a
+/// state for each sphere, all numbers finite unless status says otherwise. Runs share nothing: several may go on at
+/// once, on threads of their own. The same arguments give the same outcome, bit for bit, unless a limit of time stopped
+/// it.
 Outcome simulate(const Scene& scene, const Method& method, const RunOptions& options = {},
                  const Observer& observer = {});
 

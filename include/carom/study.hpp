@@ -13,7 +13,7 @@
 
 namespace carom {
 
-/// Equal intervals at which studies look at a run (CONTRACT: 200).
+/// Equal intervals at which studies look at a run.
 inline constexpr std::size_t study_intervals = 200;
 
 struct RunStudyOptions {
@@ -47,7 +47,7 @@ struct RunStudy {
 /// \pre as `simulate`; intervals >= 1. Nothing is thrown but what the functions of the options throw.
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options = {});
 
-/// Where a comparison has come to.
+/// Progress of a comparison.
 struct CompareProgress {
     std::string what;     ///< "reference", "pbd dt 1/240", ...
     double fraction = 0;  ///< of all rows, in [0, 1]
@@ -72,7 +72,7 @@ struct ImpactMismatch {
     BodyId a = no_body, b = no_body;  ///< as in Event
 };
 
-/// What the page draws of a row, at the sample times up to the end of the row's run.
+/// Series of a row that the page draws, at the sample times up to the end of the row's run.
 struct RowSeries {
     std::vector<double>
         energy_error;  ///< (E-E_ref) / max kinetic energy of the reference; as far as the reference goes
@@ -85,14 +85,14 @@ struct RowSeries {
 inline constexpr std::size_t max_track_spheres = 300;
 inline constexpr std::size_t max_listed_mismatches = 200;  ///< of each kind and row
 
-/// One line of compare.csv. Optional figures are those that the comparison cannot give (see CONTRACT section 4).
+/// One line of compare.csv. Optional figures are those that the comparison cannot give.
 struct CompareRow {
     std::string method;
     std::optional<double> dt;                          ///< none for `event` [time]
     std::optional<int> substeps, passes;               ///< none for `event`
     double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median and spread of `repeats` unrecorded runs [s]
     int repeats = 0;  ///< 0: the recorded run alone was timed, it was too long to repeat
-    /// Up to the end of the reference; none if that is before the first sample after the start [length]
+    /// Errors up to the end of the reference; none if that is before the first sample after the start [length]
     std::optional<double> position_rms, position_max;
     std::optional<double> position_final_rms,
         position_final_max;              ///< at `until`; none if reference or run ends before [length]
@@ -100,8 +100,7 @@ struct CompareRow {
     std::optional<double> energy_error;  ///< max |E-E_ref| / max kinetic energy of the reference
     double max_penetration = 0;          ///< [length]
     std::int64_t missed_impacts = 0, invented_impacts = 0;  ///< up to divergence_time
-    /// Of the missed impacts, those that came but more than 3 steps early or late: the pair has as many impacts left
-    /// over.
+    /// Missed impacts that came, but more than 3 steps early or late: the pair has as many impacts left over.
     std::int64_t mistimed_impacts = 0;
     std::int64_t reference_impacts = 0;  ///< that could have been missed
     std::int64_t impacts = 0;
@@ -137,15 +136,16 @@ struct Comparison {
     std::vector<std::string> verdict;  ///< sentences; the first says which method is right and by how much
 };
 
-/// 1 mm where the scene's unit of length is "m" and that lies within [1e-4, 0.5] of the smallest radius, otherwise 0.01
-/// of the smallest radius [length].
+/// Position error that the verdict asks for by default [length]: 1 mm where the scene's unit of length is "m" and that
+/// lies within [1e-4, 0.5] of the smallest radius, otherwise 0.01 of the smallest radius.
 double default_tolerance(const Scene& scene);
 
 /// Reference, then for each method and step one recorded run (errors), then unrecorded ones (time).
 /// \pre the scene is valid, options in range. \throws InputError for unknown method names.
 Comparison compare_methods(const Scene& scene, const CompareOptions& options);
 
-/// What the rows say, in plain English, for a tolerance of `comparison.tolerance`; the first sentence is the headline.
+/// The verdict on the rows in plain English, for a tolerance of `comparison.tolerance`; the first sentence is the
+/// headline.
 std::vector<std::string> verdict(const Scene& scene, const Comparison& comparison);
 
 }  // namespace carom

@@ -2,7 +2,7 @@
 /// No impact is lost and none is invented: whether and when two spheres, or a sphere and a plane, meet is answered as
 /// exact arithmetic on the numbers given would answer it, `t` within 1 ulp and always inside [t_lo, t_hi].
 ///
-/// In detail. Positions, velocities, accelerations and radii are taken as the doubles that they are; their differences
+/// Details: positions, velocities, accelerations and radii are taken as the doubles that they are; their differences
 /// are not rounded. No epsilon decides: a sign that double arithmetic with its error bound cannot tell is taken in
 /// double-double, and one that this cannot tell exactly (`level`). A time beyond the range of doubles is no impact, one
 /// below it is the smallest double. Checked against hundreds of digits on the cases that defeat the textbook formula:
@@ -33,7 +33,8 @@ struct MovingSphere {
 enum class ImpactStatus : std::uint8_t {
     none,    ///< never, if these motions go on
     impact,  ///< at t > 0 the gap is closed and the bodies approach
-    /// At t = 0 the gap is <= 0 and the bodies approach, or, at speed 0, are pressed together by their accelerations.
+    /// Contact at t = 0: the gap is <= 0 and the bodies approach or, at speed 0, are pressed together by their
+    /// accelerations.
     touching
 };
 
@@ -44,8 +45,8 @@ struct TimeOfImpact {
     ImpactStatus status = ImpactStatus::none;
     double t = 0;               ///< >= 0; 0 if touching or none; within 1 ulp of the exact time [time]
     double t_lo = 0, t_hi = 0;  ///< t_lo <= exact time <= t_hi [time]
-    /// At t, unit, from b (the plane) to a; zero if none. Its last digits go where spheres far apart meet: its error is
-    /// about 2^-104 of their distance over the contact distance, where that is more than rounding.
+    /// Normal at t, unit, from b (the plane) to a; zero if none. Its last digits go when spheres far apart meet: its
+    /// error is about 2^-104 of their distance over the contact distance, where that is more than rounding.
     Vec3 normal = Vec3::Zero();
     Vec3 point = Vec3::Zero();  ///< of contact at t, on the surface of b (the plane) [length]
     double approach_speed = 0;  ///< at t, -(d gap / dt) >= 0 [length/time]
@@ -54,12 +55,13 @@ struct TimeOfImpact {
     explicit operator bool() const { return status != ImpactStatus::none; }
 };
 
-/// Of two spheres. Exchanging them turns the normal and moves the point to the other surface, nothing else.
+/// The time of impact of two spheres. Exchanging them turns the normal and moves the point to the other surface,
+/// nothing else.
 /// \pre every number is finite and of magnitude at most 2^1000, radii >= 0 with a sum > 0.
 TimeOfImpact time_of_impact(const MovingSphere& a, const MovingSphere& b);
 
-/// Of a sphere and a plane at rest. A plate is hit on the side on which the centre is at t = 0; a centre in its middle
-/// counts as on the side of the normal. Material and id play no part.
+/// The time of impact of a sphere and a plane at rest. A plate is hit on the side on which the centre is at t = 0; a
+/// centre in its middle counts as on the side of the normal. Material and id play no part.
 /// \pre every number is finite and of magnitude at most 2^1000, the radius >= 0, the normal of unit length to rounding,
 /// a thickness >= 0.
 TimeOfImpact time_of_impact(const MovingSphere& sphere, const Plane& plane);
@@ -71,7 +73,7 @@ struct ImpactTime {
     double t = 0, t_lo = 0, t_hi = 0;  ///< 0 if touching or none [time]
 };
 
-/// Of spheres in uniform relative motion, as quickly as certainty goes: some 20 ns.
+/// The time of impact of spheres in uniform relative motion, as quickly as certainty goes: some 20 ns.
 /// \param r position of one relative to the other [length] \param v relative velocity [length/time]
 /// \param contact_distance sum of the radii, > 0 [length]
 ImpactTime quick_time_of_impact(const Vec3& r, const Vec3& v, double contact_distance);
@@ -91,7 +93,7 @@ struct ImpactTimes {
 /// \throws InputError if an array has another length
 void time_of_impact_batch(const RelativeMotions& pairs, const ImpactTimes& out);
 
-/// Only statuses and lower bounds, for the keys of a queue; `t` and `t_hi` stay as they are. Some of the bounds lie a
+/// Statuses and lower bounds only, for the keys of a queue; `t` and `t_hi` stay as they are. Some of the bounds lie a
 /// few ulp lower or higher than those of the other form.
 void lower_bound_batch(const RelativeMotions& pairs, const ImpactTimes& out);
 

@@ -20,8 +20,7 @@ namespace carom {
 
 using Vec3 = Eigen::Vector3d;
 
-/// Index of a body: spheres are 0 .. N-1 in scene order.
-/// Where an event names a partner, plane p is N + p (`Scene::plane_body`).
+/// Index of a body: spheres are 0 .. N-1 in scene order. As a partner in events plane p is N + p (`Scene::plane_body`).
 using BodyId = std::int32_t;
 inline constexpr BodyId no_body = -1;
 
@@ -36,7 +35,7 @@ struct EpochTime {
     friend constexpr auto operator<=>(const EpochTime&, const EpochTime&) = default;
 };
 
-/// What a sphere does between two of its own events.
+/// Motion of a sphere between two of its own events.
 enum class Mode : std::uint8_t {
     flying,   ///< on a parabola, no contact
     series,   ///< bouncing on a plane, lower than `rest.series_below` radii: the bounces are summed in closed form

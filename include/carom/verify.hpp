@@ -23,20 +23,20 @@ struct RecordedSphere {
     bool fixed = false;
 };
 
-/// Where a sphere was when the run began, origin left out.
+/// Place and velocity of a sphere when the run began, origin left out.
 struct RecordedStart {
     Vec3 position = Vec3::Zero();  ///< [length]
     Vec3 velocity = Vec3::Zero();  ///< [length/time]
 };
 
-/// What a run says of its end.
+/// The end of a run, as the run states it.
 struct RecordedEnd {
     double time = 0;               ///< reached, since the start [time]
-    std::uint64_t event_hash = 0;  ///< CONTRACT section 4
+    std::uint64_t event_hash = 0;  ///< see docs/recording.md
     std::int64_t events = 0, flights = 0;
 };
 
-/// What a run is made of, beside its flights and events.
+/// The parts of a run beside its flights and events.
 struct RecordedRun {
     RunFrame frame;
     Vec3 gravity = Vec3::Zero();        ///< [length/time^2]
@@ -44,7 +44,7 @@ struct RecordedRun {
     std::vector<ContactRule> contacts;  ///< in the order of the scene
     std::vector<Plane> planes;          ///< ids are not needed
     std::vector<RecordedSphere> spheres;
-    double closing_speed = 0;           ///< v_c: where some e < 1, slower impacts may be inelastic, >= 0 [length/time]
+    double closing_speed = 0;  ///< v_c: where some e < 1, slower impacts may be inelastic, >= 0 [length/time]
     /// tau_p: so may those of contacts that closed less than this ago, >= 0. 0: slower impacts are elastic, as the rest
     /// policy micro has them (another policy without such a time says the least positive number) [time]
     double window = 0;
@@ -55,14 +55,14 @@ struct RecordedRun {
     std::optional<RecordedEnd> end;  ///< none: the recording was cut off
 };
 
-/// What happened at one moment: events, then the flights that they begin. The flights of the start, and those of a
-/// series that ends in the middle, come without events.
+/// One moment of a run: events, then the flights that they begin. The flights of the start, and those of a series that
+/// ends in the middle, come without events.
 struct Instant {
     std::span<const Event> events;
     std::span<const FlightRecord> flights;
 };
 
-/// Where recorded flights come from.
+/// A source of recorded flights.
 class FlightSource {
 public:
     virtual ~FlightSource() = default;
@@ -79,12 +79,13 @@ struct CertifiedSeconds {
     double exact = 0;       ///< gap >= min(0, initial gap) [time]
     double bounded = 0;     ///< gap >= -16 eps max(r1 + r2, distance flown) [time]
     double in_contact = 0;  ///< in persistent contact with spheres or several planes: gap >= -1e-9 r [time]
-    double numeric = 0;  ///< pieces that no closed form gives, and who touched one: Certificate::numeric_depth [time]
-    double guarded = 0;  ///< windows of the guard: Certificate::guarded_depth [time]
+    double numeric =
+        0;  ///< pieces that no closed form gives, and bodies that touched one: Certificate::numeric_depth [time]
+    double guarded = 0;        ///< windows of the guard: Certificate::guarded_depth [time]
     double not_certified = 0;  ///< none of these could be shown, nor a violation [time]
 };
 
-/// What is wrong with a run.
+/// A fault of a run.
 struct Violation {
     std::string what;  ///< for people, bodies by number: "sphere 3 and plane 0 overlap by 1e-9"
     double time = 0;   ///< since the start [time]
@@ -117,8 +118,8 @@ struct Certificate {
     double guarded_depth = 0;              ///< likewise of windows of the guard [length]
     double largest_numeric_jump = 0;       ///< of position where such a piece ends [length]
     double largest_numeric_kick = 0;       ///< of velocity there, beside impulses [length/time]
-    /// Of velocity, of a body that several contacts hold from there on, beside its impulses: where some e < 1, openings
-    /// slower than v_c may be taken by persistence [length/time].
+    /// Jump of velocity, beside its impulses, of a body that several contacts hold from there on: where some e < 1,
+    /// persistence may take openings slower than v_c [length/time].
     double largest_absorbed = 0;
     CertifiedSeconds body_seconds;
     std::uint64_t event_hash = 0;       ///< of the events read
@@ -135,7 +136,8 @@ struct VerifyOptions {
                                                    ///< ends the examination there
 };
 
-/// Examine a recorded run. Memory: at most 400 bytes a sphere beside the stream. \throws what the source throws
+/// The certificate of a recorded run. Memory: at most 400 bytes a sphere beside the stream. \throws what the source
+/// throws
 Certificate verify(FlightSource& source, const VerifyOptions& options = {});
 
 }  // namespace carom
