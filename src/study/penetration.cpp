@@ -38,6 +38,7 @@ double max_penetration(const Scene& scene, std::span<const BodyState> states)
         const Vec3& position = states[i].position;
         if (!position.allFinite()) continue;
         intervals.push_back({0, 0, i});
+        if (scene.spheres[i].fixed) continue;
         for (const Plane& plane : scene.planes)
             deepest = std::max(deepest, -plane_gap(plane, scene.spheres[i], position));
     }
@@ -53,6 +54,7 @@ double max_penetration(const Scene& scene, std::span<const BodyState> states)
     for (std::size_t i = 0; i < intervals.size(); ++i)
         for (std::size_t j = i + 1; j < intervals.size() && intervals[j].low <= intervals[i].high; ++j) {
             const std::size_t a = intervals[i].sphere, b = intervals[j].sphere;
+            if (scene.spheres[a].fixed && scene.spheres[b].fixed) continue;
             const double reach = scene.spheres[a].radius + scene.spheres[b].radius;
             const double squared = (states[a].position - states[b].position).squaredNorm();
             if (squared < reach * reach) deepest = std::max(deepest, reach - std::sqrt(squared));

@@ -71,6 +71,31 @@ TEST_CASE("series, slides, rests and fixed spheres hold", "[verify]")
     CHECK(all.holds());
 }
 
+TEST_CASE("overlaps of bodies that cannot move are none, and a floor of such spheres holds", "[verify]")
+{
+    Scene scene = empty_scene(3, earth, 0.5);
+    add_floor(scene);
+    for (int k = -3; k <= 3; ++k) {
+        add_sphere(scene, 0.3, {0.25 * k, 0.1 * (k % 2), 0});
+        scene.spheres.back().fixed = true;
+    }
+    add_sphere(scene, 0.2, {0.05, 0.02, 2});
+    for (const bool certified : {false, true}) {
+        MemorySource source = recorded(scene, {}, certified);
+        const Certificate c = examined(source);
+        INFO(first_violation(c));
+        CHECK(c.holds());
+        CHECK(c.impulses > 1);
+        CHECK(c.smallest_gap > -1e-15);
+        CHECK(c.body_seconds.not_certified == 0);
+        source.flights.resize(scene.spheres.size());  // the ball falls through
+        source.after.resize(scene.spheres.size());
+        source.events.clear();
+        source.seal();
+        CHECK_FALSE(examined(source).holds());
+    }
+}
+
 TEST_CASE("heaps that settle hold; impulses at gaps of contacts that closed long ago are refused", "[verify]")
 {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
