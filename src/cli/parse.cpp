@@ -1,6 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/define.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/lists.hpp"
 #include "cli/tables.hpp"
 #include "cli/usage_error.hpp"
 
@@ -172,6 +173,15 @@ void define_report(CLI::App& app, ReportArguments& report)
         "Exit: 0 written, 2 usage, 3 a folder is none of compare's or the page cannot be written.");
 }
 
+std::uint64_t seed_option(const std::string& text)
+{
+    try {
+        return parse_seed(text);
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("--seed", error.what());
+    }
+}
+
 void define_global(CLI::App& app, GlobalArguments& global)
 {
     app.set_version_flag("--version", std::string("carom ") + CAROM_VERSION);
@@ -179,7 +189,10 @@ void define_global(CLI::App& app, GlobalArguments& global)
     app.add_flag("-q,--quiet", global.quiet, "Nothing on stderr but errors");
     app.add_flag("-v,--verbose", global.verbose, "Say more on stderr");
     app.add_flag("--no-progress", global.no_progress, "No progress line");
-    app.add_option("--seed", global.seed, "Seed of every random choice [the scene's]")->type_name("N");
+    app.add_option_function<std::string>(
+           "--seed", [&global](const std::string& text) { global.seed = seed_option(text); },
+           "Seed of every random choice, a whole number from 0 to 2^64 - 1 [the scene's]")
+        ->type_name("N");
     app.fallthrough();
     app.require_subcommand(1);
     app.footer(
