@@ -74,9 +74,10 @@ void define_run(CLI::App& app, RunArguments& run)
     add_given(app, run.given, "--until", "T", "End of the run, counted from its start [the scene's end_time]");
     add_given(app, run.given, "--max-events", "N", "Stop after so many events, or steps of a discrete method [1e9]");
     add_given(app, run.given, "--max-seconds", "S", "Stop after so many seconds on the clock");
-    app.add_option("--events", run.events,
-                   "Write the events to this file; times exact: the shortest text of the same double, or all digits if "
-                   "it is none")
+    app.add_option(
+           "--events", run.events,
+           "Write the events to this file, or for - to stdout and the table to stderr; times exact: the shortest "
+           "text of the same double, or all digits if it is none")
         ->type_name("FILE.csv");
     app.add_flag("--final", run.always_final, "Write final states of more than 1000 spheres too");
     add_scene_options(app, run.allow_overlap, run.set);

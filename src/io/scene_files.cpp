@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "io/json.hpp"
 #include "io/problems.hpp"
+#include "io/syntax_error.hpp"
 
 namespace carom {
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 30;  // also ends the reading of a device that never does
+constexpr std::size_t most_bytes = std::size_t{1} << 30;  // some 5 million spheres; text may also have no end
 
 std::string read_text(const fs::path& file)
 {
@@ -28,8 +29,10 @@ std::string read_text(const fs::path& file)
     std::array<char, 1 << 16> chunk;
     while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
         text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+        if (text.find('\0', text.size() - static_cast<std::size_t>(stream.gcount())) != std::string::npos)
+            io::refuse_binary(name);  // at once: there may be no end
         if (text.size() > most_bytes)
-            throw InputError({name + ": is larger than 1 GiB (use \"fill\" for many spheres)"});
+            throw InputError({name + ": is larger than 1 GiB, more than any scene (use \"fill\" for many spheres)"});
     }
     if (stream.bad()) throw InputError({name + ": cannot be read"});
     return text;
