@@ -1,11 +1,13 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/notes.hpp"
 #include "cli/progress.hpp"
 #include "cli/tables.hpp"
 #include "io/check_json.hpp"
 
 #include <carom/checks.hpp>
+#include <carom/error.hpp>
 #include <carom/io.hpp>
 
 #include <fmt/format.h>
@@ -63,6 +65,9 @@ int do_check(const CheckArguments& args, const GlobalArguments& global, const Co
             print_error(console, fmt::format("{}: {}: {}", task.file.string(), name(outcome.status), outcome.message));
         if (const std::string advice = unresolved_advice(outcome); !advice.empty() && !global.quiet)
             print_note(console, task.file.string() + ": " + advice);
+        if (!global.quiet)
+            for (const std::string& each : lift_notes(task.scene, report.run.study))
+                print_note(console, task.file.string() + ": " + each);
         checked.push_back({task.file.stem().string(), task.scene.name, report});
     }
     if (global.json) console.out << io::check_json(checked);

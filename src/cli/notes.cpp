@@ -2,6 +2,8 @@
 
 #include "io/problems.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -43,6 +45,18 @@ std::vector<std::string> unused_materials(const Scene& scene, const std::vector<
             notes.push_back("--set " + assignment + " has no effect: no body is of the material \"" + material + "\"" +
                             io::suggestion(material, names, "in use"));
     }
+    return notes;
+}
+
+std::vector<std::string> lift_notes(const Scene& scene, const RunStudy& run)
+{
+    std::vector<std::string> notes;
+    for (const Lift& lift : run.lifts)
+        notes.push_back(
+            fmt::format("\"{}\" began inside plane \"{}\" and was lifted out of it by {:.6g} where it came to rest: "
+                        "that gave it an "
+                        "energy of {:.6g} (move it out of the plane, and nothing is given)",
+                        scene.body_name(lift.sphere), scene.body_name(lift.plane), lift.depth, lift.energy));
     return notes;
 }
 

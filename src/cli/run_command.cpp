@@ -146,6 +146,8 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
                                  : fmt::format("{}: {}", name(outcome.status), outcome.message));
     const std::string advice = unresolved_advice(outcome);
     if (!advice.empty() && !global.quiet) print_note(console, advice);
+    if (!global.quiet)
+        for (const std::string& each : lift_notes(scene, run)) print_note(console, each);
     return exit_code(outcome.status);
 }
 
