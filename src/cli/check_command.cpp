@@ -33,6 +33,18 @@ std::vector<Task> read_all(const CheckArguments& args, const GlobalArguments& gl
     return tasks;
 }
 
+/// \throws InputError naming the scenes that say nothing to check: "0 of 0 checks hold" would be no answer
+void expect_checks(const std::vector<Task>& tasks)
+{
+    std::vector<std::string> problems;
+    for (const Task& task : tasks)
+        if (task.scene.checks.empty())
+            problems.push_back(task.file.string() +
+                               ": /checks: the scene has none, so there is nothing to check (write some, such as "
+                               "\"checks\": [{\"type\": \"no_overlap\"}]; carom run runs it without)");
+    if (!problems.empty()) throw InputError(problems);
+}
+
 /// A failed check says more than a run that ended early, and that more than one which went to its end.
 int worse(int a, int b)
 {
@@ -47,6 +59,7 @@ int worse(int a, int b)
 int do_check(const CheckArguments& args, const GlobalArguments& global, const Console& console)
 {
     const std::vector<Task> tasks = read_all(args, global);
+    expect_checks(tasks);
     const InterruptGuard guard;
     ProgressLine progress(console, global);
     std::vector<io::CheckedScene> checked;

@@ -134,7 +134,8 @@ void define_check(CLI::App& app, CheckArguments& check)
         "  carom check bouncing_ball incline my_scene.json --json\n"
         "  carom check bouncing_ball --set /materials/rubber/restitution=0.5\n"
         "Exit: 0 all hold, 4 one fails, 1 none fails but a run ended unresolved before its end, 5 at a limit, 3 bad "
-        "scene.");
+        "scene\n"
+        "or one without checks, and then nothing is run.");
 }
 
 void define_explain(CLI::App& app, ExplainArguments& explain)
