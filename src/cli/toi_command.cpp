@@ -6,43 +6,48 @@
 
 #include <iostream>
 #include <limits>
-#include <string>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 namespace carom::cli {
 
 namespace {
 
-/// The next line, of one too long for a query only so much that this shows: it may have no end. False: there is none.
-bool read_line(std::istream& in, std::string& line)
-{
-    line.clear();
-    std::streambuf& source = *in.rdbuf();
-    using Traits = std::istream::traits_type;
-    while (line.size() <= io::longest_toi_line) {
-        const int c = source.sbumpc();
-        if (Traits::eq_int_type(c, Traits::eof())) return !line.empty();
-        if (c == '\n') return true;
-        line.push_back(Traits::to_char_type(c));
-    }
-    return true;
-}
+/// Lines of which one too long for a query is cut: it may have no end.
+class Lines {
+public:
+    explicit Lines(std::istream& in) : in_(in) {}
 
-/// The rest of a line that was answered before its end.
-void skip_line(std::istream& in)
-{
-    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-}
+    /// The next one, without its end, valid until the next call; none at the end of the input.
+    std::optional<std::string_view> next()
+    {
+        if (is_cut_) in_.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+        in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+        const auto taken = static_cast<std::size_t>(in_.gcount());
+        is_cut_ = in_.fail() && taken > 0;
+        if (taken == 0) return {};
+        if (is_cut_) in_.clear(in_.rdstate() & ~std::ios::failbit);
+        const bool has_end = !is_cut_ && !in_.eof();
+        return std::string_view(buffer_.data(), taken - has_end);
+    }
+    bool is_cut() const { return is_cut_; }
+
+private:
+    std::istream& in_;
+    std::vector<char> buffer_ = std::vector<char>(io::longest_toi_line + 2);  // a character too many, and a 0
+    bool is_cut_ = false;
+};
 
 }  // namespace
 
 void serve_toi(std::istream& in, std::ostream& out)
 {
-    std::string line;
-    while (out && read_line(in, line)) {
-        out << io::answer_toi_line(line) << '\n';
-        const bool is_cut = line.size() > io::longest_toi_line;
-        if (is_cut || in.rdbuf()->in_avail() <= 0) out.flush();
-        if (is_cut) skip_line(in);
+    Lines lines(in);
+    while (const auto line = lines.next()) {
+        out << io::answer_toi_line(*line) << '\n';
+        if (lines.is_cut() || in.rdbuf()->in_avail() <= 0) out.flush();
+        if (!out) return;
     }
     out.flush();
 }

@@ -31,6 +31,9 @@ int widest_axis(std::span<const BodyState> states, std::span<const Interval> fin
 double max_penetration(const Scene& scene, std::span<const BodyState> states)
 {
     CAROM_EXPECT(states.size() == scene.spheres.size());
+    const auto can_move = [&](std::size_t a, std::size_t b) {
+        return !scene.spheres[a].fixed || !scene.spheres[b].fixed;
+    };
     std::vector<Interval> intervals;
     intervals.reserve(states.size());
     double deepest = 0;
@@ -54,10 +57,9 @@ double max_penetration(const Scene& scene, std::span<const BodyState> states)
     for (std::size_t i = 0; i < intervals.size(); ++i)
         for (std::size_t j = i + 1; j < intervals.size() && intervals[j].low <= intervals[i].high; ++j) {
             const std::size_t a = intervals[i].sphere, b = intervals[j].sphere;
-            if (scene.spheres[a].fixed && scene.spheres[b].fixed) continue;
             const double reach = scene.spheres[a].radius + scene.spheres[b].radius;
             const double squared = (states[a].position - states[b].position).squaredNorm();
-            if (squared < reach * reach) deepest = std::max(deepest, reach - std::sqrt(squared));
+            if (squared < reach * reach && can_move(a, b)) deepest = std::max(deepest, reach - std::sqrt(squared));
         }
     return deepest;
 }

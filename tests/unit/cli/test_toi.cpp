@@ -74,6 +74,15 @@ TEST_CASE("a line without end is answered before it ends, and the next line afte
     CHECK(answers.str() == "{\"status\":\"error\",\"message\":\"longer than 65536 characters\"}\n");
     CHECK(answers.first > 0);
     CHECK(answers.first < (1 << 17));
+    for (const std::size_t length : {65535u, 65536u, 65537u}) {
+        CAPTURE(length);
+        std::istringstream long_one(std::string(length, ' ') + "\n\n1");
+        std::ostringstream three;
+        serve_toi(long_one, three);
+        const std::string text = three.str();
+        CHECK(std::count(text.begin(), text.end(), '\n') == 3);
+        CHECK((text.find("longer") != std::string::npos) == (length > 65536));
+    }
     std::istringstream then(std::string(100'000, 'x') + "\nnonsense");
     std::ostringstream said;
     serve_toi(then, said);
