@@ -50,13 +50,21 @@ std::vector<std::string> unused_materials(const Scene& scene, const std::vector<
 
 std::vector<std::string> lift_notes(const Scene& scene, const RunStudy& run)
 {
+    constexpr std::size_t most_named = 10;  // lines that people read
     std::vector<std::string> notes;
-    for (const Lift& lift : run.lifts)
-        notes.push_back(
-            fmt::format("\"{}\" began inside plane \"{}\" and was lifted out of it by {:.6g} where it came to rest: "
-                        "that gave it an "
-                        "energy of {:.6g} (move it out of the plane, and nothing is given)",
-                        scene.body_name(lift.sphere), scene.body_name(lift.plane), lift.depth, lift.energy));
+    double others = 0;
+    for (const Lift& lift : run.lifts) {
+        if (notes.size() == most_named) {
+            others += lift.energy;
+            continue;
+        }
+        notes.push_back(fmt::format(
+            "\"{}\" began inside plane \"{}\" and was lifted out of it by {:.6g} when it came to rest on it: "
+            "that gave it an energy of {:.6g} (move it out of the plane, and nothing is given)",
+            scene.body_name(lift.sphere), scene.body_name(lift.plane), lift.depth, lift.energy));
+    }
+    if (run.lifts.size() > most_named)
+        notes.push_back(fmt::format("so were {} more, which gave {:.6g}", run.lifts.size() - most_named, others));
     return notes;
 }
 

@@ -68,8 +68,8 @@ void LiftWatch::compare(const Watched& watched, const FlightRecord& next)
     if (!(before < 0 && depth > declared_contact * sphere.radius)) return;
     const bool is_behind = plane.thickness && plane.normal.dot(place) < plane.offset;
     const Vec3 out = is_behind ? Vec3(-plane.normal) : plane.normal;
-    lifts_.push_back(
-        {watched.sphere, scene_.plane_body(watched.plane), depth, -sphere.mass * scene_.gravity.dot(out) * depth});
+    const double weight = 0 - sphere.mass * scene_.gravity.dot(out);  // 0, not -0, beside a wall
+    lifts_.push_back({watched.sphere, scene_.plane_body(watched.plane), depth, weight * depth});
 }
 
 }  // namespace carom::study

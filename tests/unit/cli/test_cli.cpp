@@ -182,6 +182,12 @@ TEST_CASE("a sphere that is lifted out of a plane it began in says so, with the 
     }
     CHECK(json::parse(run("0.1", "0", true).out)["energy"]["lifted"].empty());
     CHECK(json::parse(run("1.1", "0", true).out)["energy"]["lifted"].empty());
+    // Twelve in a row, each sunk by 0.02: ten are named.
+    const Said many = carom_tool(
+        {"run", folder / "ball.json", "--allow-overlap", "--set", "/spheres=[]", "--set",
+         R"(/fill=[{"pattern": "line", "count": 12, "radius": 0.1, "gap": 1, "origin": [0, 0, 0.08], "material": "rubber"}])"});
+    CHECK_THAT(many.err, Contains("\"fill-0/9\" began inside") && !Contains("\"fill-0/10\"") &&
+                             Contains("so were 2 more, which gave 0.3924"));
     const Said leaves = run("0.06", "2", false);  // flies out on its own, as high as its speed takes it
     CHECK_THAT(leaves.err, !Contains("lifted"));
 }
