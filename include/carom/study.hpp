@@ -122,6 +122,7 @@ struct CompareRow {
     double time = 0;      ///< reached [time]
     RowSeries series;
     std::vector<ImpactMismatch> missed, invented;  ///< the first `max_listed_mismatches`
+    std::vector<Lift> lifts;                       ///< event: as RunStudy::lifts
 };
 
 struct ReferenceSummary {

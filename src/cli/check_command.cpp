@@ -79,7 +79,7 @@ int do_check(const CheckArguments& args, const GlobalArguments& global, const Co
         if (const std::string advice = unresolved_advice(outcome); !advice.empty() && !global.quiet)
             print_note(console, task.file.string() + ": " + advice);
         if (!global.quiet)
-            for (const std::string& each : lift_notes(task.scene, report.run.study))
+            for (const std::string& each : lift_notes(task.scene, report.run.study.lifts))
                 print_note(console, task.file.string() + ": " + each);
         checked.push_back({task.file.stem().string(), task.scene.name, report});
     }

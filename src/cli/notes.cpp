@@ -48,12 +48,12 @@ std::vector<std::string> unused_materials(const Scene& scene, const std::vector<
     return notes;
 }
 
-std::vector<std::string> lift_notes(const Scene& scene, const RunStudy& run)
+std::vector<std::string> lift_notes(const Scene& scene, std::span<const Lift> lifts)
 {
     constexpr std::size_t most_named = 10;  // lines that people read
     std::vector<std::string> notes;
     double others = 0;
-    for (const Lift& lift : run.lifts) {
+    for (const Lift& lift : lifts) {
         if (notes.size() == most_named) {
             others += lift.energy;
             continue;
@@ -63,8 +63,8 @@ std::vector<std::string> lift_notes(const Scene& scene, const RunStudy& run)
             "that gave it an energy of {:.6g} (move it out of the plane, and nothing is given)",
             scene.body_name(lift.sphere), scene.body_name(lift.plane), lift.depth, lift.energy));
     }
-    if (run.lifts.size() > most_named)
-        notes.push_back(fmt::format("so were {} more, which gave {:.6g}", run.lifts.size() - most_named, others));
+    if (lifts.size() > most_named)
+        notes.push_back(fmt::format("so were {} more, which gave {:.6g}", lifts.size() - most_named, others));
     return notes;
 }
 

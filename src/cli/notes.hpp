@@ -8,6 +8,7 @@
 #include <carom/scene.hpp>
 #include <carom/study.hpp>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,6 @@ std::vector<std::string> ignored_options(const GivenOptions& given, const Method
 std::vector<std::string> unused_materials(const Scene& scene, const std::vector<std::string>& set);
 
 /// Who was lifted out of an overlap, and what that gave.
-std::vector<std::string> lift_notes(const Scene& scene, const RunStudy& run);
+std::vector<std::string> lift_notes(const Scene& scene, std::span<const Lift> lifts);
 
 }  // namespace carom::cli

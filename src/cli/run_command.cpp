@@ -147,7 +147,7 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
     const std::string advice = unresolved_advice(outcome);
     if (!advice.empty() && !global.quiet) print_note(console, advice);
     if (!global.quiet)
-        for (const std::string& each : lift_notes(scene, run)) print_note(console, each);
+        for (const std::string& each : lift_notes(scene, run.lifts)) print_note(console, each);
     return exit_code(outcome.status);
 }
 

@@ -1,5 +1,7 @@
 #include "io/run_json.hpp"
 
+#include "io/lift_json.hpp"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -45,17 +47,6 @@ Json energy_taken_json(const EnergyTaken& taken)
             {"stabilising", taken.stabilising},
             {"guard", taken.guard},
             {"capped", taken.capped}};
-}
-
-Json lifts_json(const Scene& scene, const RunStudy& run)
-{
-    Json lifts = Json::array();
-    for (const Lift& lift : run.lifts)
-        lifts.push_back({{"id", scene.body_name(lift.sphere)},
-                         {"plane", scene.body_name(lift.plane)},
-                         {"depth", lift.depth},
-                         {"energy", lift.energy}});
-    return lifts;
 }
 
 Json body_seconds_json(const BodyTimes& times)
@@ -125,7 +116,7 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
                       {"max_relative_drift", optional_json(run.max_relative_drift)}};
     if (event != nullptr) {
         json["energy"]["taken"] = energy_taken_json(outcome.energy_taken);
-        json["energy"]["lifted"] = lifts_json(scene, run);
+        json["energy"]["lifted"] = lifts_json(scene, run.lifts);
         json["body_seconds"] = body_seconds_json(outcome.body_seconds);
     }
     json["momentum"] = {{"initial", vector_json(run.initial_momentum)}, {"final", vector_json(run.final_momentum)}};

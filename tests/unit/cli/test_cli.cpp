@@ -182,6 +182,14 @@ TEST_CASE("a sphere that is lifted out of a plane it began in says so, with the 
     }
     CHECK(json::parse(run("0.1", "0", true).out)["energy"]["lifted"].empty());
     CHECK(json::parse(run("1.1", "0", true).out)["energy"]["lifted"].empty());
+    const Said compared =
+        carom_tool({"compare", folder / "ball.json", "--allow-overlap", "--repeats", "1", "-o", folder / "c", "--set",
+                    "/spheres/0/position=[0,0,0.06]", "--set", "/spheres/0/velocity=[0,0,0]"});
+    CHECK_THAT(compared.err,
+               Contains("note: event: \"ball\" began inside plane \"floor\"") && !Contains("pbd: \"ball\""));
+    const json rows = json::parse(folder.read("c/compare.json"))["rows"];
+    CHECK(rows[0]["lifted"][0]["energy"].get<double>() == Approx(9.81 * 0.04).epsilon(1e-3));
+    CHECK(rows[1]["lifted"].empty());
     // Twelve in a row, each sunk by 0.02: ten are named.
     const Said many = carom_tool(
         {"run", folder / "ball.json", "--allow-overlap", "--set", "/spheres=[]", "--set",
