@@ -44,10 +44,13 @@ struct RecordedRun {
     std::vector<ContactRule> contacts;  ///< in the order of the scene
     std::vector<Plane> planes;          ///< ids are not needed
     std::vector<RecordedSphere> spheres;
-    double closing_speed = 0;           ///< v_c: where some e < 1, slower impacts may be inelastic, >= 0 [length/time]
+    double closing_speed = 0;  ///< v_c: where some e < 1, slower impacts may be inelastic, >= 0 [length/time]
     /// tau_p: so may those of contacts that closed less than this ago, >= 0. 0: slower impacts are elastic, as the rest
     /// policy micro has them (another policy without such a time says the least positive number) [time]
     double window = 0;
+    /// Contacts open by up to this fraction of the smaller radius may close together with one that is closed
+    /// (ImpactOptions::tie), in [0, 0.01].
+    double tie = 0;
     std::vector<RecordedStart> starts;  ///< by sphere; gone after FlightSource::forget_starts
     /// The run claims flights in double-double: gap >= min(0, initial gap) exactly. Otherwise gap >= -16 eps max(r1 +
     /// r2, distance flown) is what it promises.
