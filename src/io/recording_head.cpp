@@ -1,7 +1,7 @@
 #include "io/recording_head.hpp"
-#include "scene/tolerances.hpp"
 
 #include "io/json.hpp"
+#include "scene/tolerances.hpp"
 
 #include <carom/error.hpp>
 

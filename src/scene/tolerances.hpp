@@ -73,6 +73,8 @@ inline constexpr double largest_random_fraction = 0.30;
 /// is itself right to an ulp, 6 of the region's volume and the quotient, 1 of the limit; 21 counted, less the one of a
 /// sum that one sphere does not have.
 inline constexpr double fraction_rounding = 20 * unit_roundoff;
+/// Error [1, of the sum] that each further sphere adds to a packing fraction.
+inline constexpr double term_rounding = unit_roundoff;
 /// Gap [radius] that random insertion leaves at least: a thousand times what would pass for a declared contact.
 inline constexpr double least_random_gap = 1e-6;
 /// Tries [1] for one sphere of a random fill: where a tenth of a percent of the places are free, all miss with e^-1000.
