@@ -21,7 +21,7 @@ std::vector<BodyState> initial_states(const Scene& scene);
 /// sum m v^2 / 2 [mass length^2/time^2].
 double kinetic_energy(const Scene& scene, std::span<const BodyState> states);
 
-/// sum m (v^2/2 - g.x) [mass length^2/time^2], x relative to the scene's origin.
+/// sum m (v^2/2 - g.x) over the spheres that can move [mass length^2/time^2], x relative to the scene's origin.
 double total_energy(const Scene& scene, std::span<const BodyState> states);
 
 /// total_energy(scene, a) - total_energy(scene, b), body by body, so that nothing is lost where both are large.
@@ -30,12 +30,13 @@ double energy_difference(const Scene& scene, std::span<const BodyState> a, std::
 /// sum m v [mass length/time].
 Vec3 momentum(const Scene& scene, std::span<const BodyState> states);
 
-/// Deepest overlap of two spheres, or of a sphere and a plane, >= 0 [length]. Sort and sweep along the axis on which
-/// the spheres are spread the widest (Cohen, Lin, Manocha, Ponamgi, I-COLLIDE, 1995). Bodies with a non-finite state
-/// are left out.
+/// Deepest overlap of two spheres, or of a sphere and a plane, of which one can move, >= 0 [length]. Sort and sweep
+/// along the axis on which the spheres are spread the widest (Cohen, Lin, Manocha, Ponamgi, I-COLLIDE, 1995). Bodies
+/// with a non-finite state are left out.
 double max_penetration(const Scene& scene, std::span<const BodyState> states);
 
-/// Spheres whose centre is outside a half-space (plates have no outside), or whose state is not finite.
+/// Spheres that can move and whose centre is outside a half-space (plates have no outside), or whose state is not
+/// finite.
 std::int64_t escaped(const Scene& scene, std::span<const BodyState> states);
 
 /// Distance of two lists of vectors, body by body; 0 for empty lists.
@@ -47,6 +48,7 @@ Deviation position_deviation(std::span<const BodyState> a, std::span<const BodyS
 Deviation velocity_deviation(std::span<const BodyState> a, std::span<const BodyState> b);  ///< [length/time]
 
 /// Whether every contact that can occur has restitution, tangential factor and attenuation 1, so that energy is kept.
+/// A contact needs a sphere that can move.
 bool conserves_energy(const Scene& scene);
 
 /// Smallest radius; 0 for a scene without spheres [length].

@@ -116,7 +116,8 @@ struct Scene {
 
 /// Every broken rule as "/json/pointer: what is wrong (the cure)"; empty when the scene is valid. Values first (finite,
 /// in range, ids unique, materials known); if those hold, overlaps: a gap below -1e-9 r, r the smaller
-/// radius, unless `allow_overlap`. Scenes that a reader gave are valid; ask for those built in code.
+/// radius, of bodies of which one can move, unless `allow_overlap`. Scenes that a reader gave are valid; ask for those
+/// built in code.
 std::vector<std::string> validate(const Scene& scene, bool allow_overlap = false);
 
 /// Coefficients for contacts between two spheres of these materials: smaller restitution; tangential and attenuation 1

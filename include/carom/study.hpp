@@ -25,6 +25,13 @@ struct RunStudyOptions {
     std::function<bool(double)> on_progress;             ///< may be empty; false interrupts
 };
 
+/// A sphere that began inside a plane and was put on it at rest: energy that no contact gave.
+struct Lift {
+    BodyId sphere = no_body, plane = no_body;  ///< as in Event
+    double depth = 0;                          ///< along the normal of the plane, > 0 [length]
+    double energy = 0;                         ///< m g.n depth, g towards the plane [mass length^2/time^2]
+};
+
 /// One run and its figures. Non-finite figures are possible where a discrete method blows up; writers turn them into
 /// null.
 struct RunStudy {
@@ -37,6 +44,7 @@ struct RunStudy {
     double max_kinetic_energy = 0;  ///< over samples [mass length^2/time^2]
     Vec3 initial_momentum = Vec3::Zero(), final_momentum = Vec3::Zero();  ///< [mass length/time]
     double max_penetration = 0;  ///< event: at impacts and samples; discrete: before correction [length]
+    std::vector<Lift> lifts;     ///< event: in the order of the run; only where overlap was allowed
     std::int64_t escaped = 0;    ///< at the end
     std::vector<std::optional<double>>
         plane_forces;         ///< mean normal force per plane, resting included; none for a run of no length
@@ -113,6 +121,7 @@ struct CompareRow {
     double time = 0;      ///< reached [time]
     RowSeries series;
     std::vector<ImpactMismatch> missed, invented;  ///< the first `max_listed_mismatches`
+    std::vector<Lift> lifts;                       ///< event: as RunStudy::lifts
 };
 
 struct ReferenceSummary {

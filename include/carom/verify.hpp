@@ -48,6 +48,9 @@ struct RecordedRun {
     /// tau_p: so may those of contacts that closed less than this ago, >= 0. 0: slower impacts are elastic, as the rest
     /// policy micro has them (another policy without such a time says the least positive number) [time]
     double window = 0;
+    /// Contacts open by up to this fraction of the smaller radius may close together with one that is closed
+    /// (ImpactOptions::tie), in [0, 0.01].
+    double tie = 0;
     std::vector<RecordedStart> starts;  ///< by sphere; gone after FlightSource::forget_starts
     /// The run claims flights in double-double: gap >= min(0, initial gap) exactly. Otherwise gap >= -16 eps max(r1 +
     /// r2, distance flown) is what it promises.

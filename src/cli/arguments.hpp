@@ -25,7 +25,7 @@ struct RunArguments {
     bool always_final = false, allow_overlap = false;
     std::vector<std::string> set;  ///< "/pointer=value"
     std::string out;               ///< folder for run.json; may be empty
-    std::string events;            ///< CSV file; may be empty
+    std::string events;            ///< CSV file, or "-": stdout; may be empty
 };
 
 struct CompareArguments {

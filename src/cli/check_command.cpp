@@ -1,11 +1,13 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/notes.hpp"
 #include "cli/progress.hpp"
 #include "cli/tables.hpp"
 #include "io/check_json.hpp"
 
 #include <carom/checks.hpp>
+#include <carom/error.hpp>
 #include <carom/io.hpp>
 
 #include <fmt/format.h>
@@ -31,6 +33,18 @@ std::vector<Task> read_all(const CheckArguments& args, const GlobalArguments& gl
     return tasks;
 }
 
+/// \throws InputError naming the scenes that say nothing to check: "0 of 0 checks hold" would be no answer
+void expect_checks(const std::vector<Task>& tasks)
+{
+    std::vector<std::string> problems;
+    for (const Task& task : tasks)
+        if (task.scene.checks.empty())
+            problems.push_back(task.file.string() +
+                               ": /checks: the scene has none, so there is nothing to check (write some, such as "
+                               "\"checks\": [{\"type\": \"no_overlap\"}]; carom run runs it without)");
+    if (!problems.empty()) throw InputError(problems);
+}
+
 /// A failed check says more than a run that ended early, and that more than one which went to its end.
 int worse(int a, int b)
 {
@@ -45,6 +59,7 @@ int worse(int a, int b)
 int do_check(const CheckArguments& args, const GlobalArguments& global, const Console& console)
 {
     const std::vector<Task> tasks = read_all(args, global);
+    expect_checks(tasks);
     const InterruptGuard guard;
     ProgressLine progress(console, global);
     std::vector<io::CheckedScene> checked;
@@ -63,6 +78,9 @@ int do_check(const CheckArguments& args, const GlobalArguments& global, const Co
             print_error(console, fmt::format("{}: {}: {}", task.file.string(), name(outcome.status), outcome.message));
         if (const std::string advice = unresolved_advice(outcome); !advice.empty() && !global.quiet)
             print_note(console, task.file.string() + ": " + advice);
+        if (!global.quiet)
+            for (const std::string& each : lift_notes(task.scene, report.run.study.lifts))
+                print_note(console, task.file.string() + ": " + each);
         checked.push_back({task.file.stem().string(), task.scene.name, report});
     }
     if (global.json) console.out << io::check_json(checked);

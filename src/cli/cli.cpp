@@ -1,6 +1,7 @@
 #include "cli/cli.hpp"
 
 #include "cli/exit_codes.hpp"
+#include "io/output_file.hpp"
 
 #include <carom/error.hpp>
 #include <carom/io.hpp>
@@ -10,6 +11,8 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
+#include <ostream>
 
 #ifndef CAROM_SCENE_DIR
 #define CAROM_SCENE_DIR "scenes"
@@ -84,6 +87,11 @@ int run_cli(const std::vector<std::string>& args, const Console& console)
     } catch (const InputError& error) {
         for (const std::string& problem : error.problems()) print_error(console, problem);
         return exit_bad_input;
+    } catch (const std::bad_alloc&) {
+        print_error(console,
+                    "out of memory (take fewer spheres, in compare fewer methods and steps; ulimit -v says whether the "
+                    "process is limited)");
+        return exit_failed;
     } catch (const std::exception& error) {
         print_error(console, std::string("failed: ") + error.what());
         return exit_failed;
@@ -92,11 +100,16 @@ int run_cli(const std::vector<std::string>& args, const Console& console)
 
 int run_cli(int argc, char** argv)
 {
-    const Console console{std::cout, std::cerr, isatty(STDERR_FILENO) != 0, wants_color()};
+    io::DescriptorBuffer buffer(STDOUT_FILENO);
+    std::ostream out(&buffer);
+    if (isatty(STDOUT_FILENO) != 0) out.setf(std::ios::unitbuf);  // people read along
+    const Console console{out, std::cerr, isatty(STDERR_FILENO) != 0, wants_color()};
     const std::vector<std::string> args(argv + (argc > 0 ? 1 : 0), argv + argc);
     const int code = run_cli(args, console);
-    std::cout.flush();
-    return std::cout ? code : static_cast<int>(exit_failed);
+    out.flush();
+    if (out) return code;
+    print_error(console, "stdout: cannot be written: " + buffer.failure());
+    return exit_failed;
 }
 
 }  // namespace carom::cli

@@ -76,7 +76,11 @@ int do_compare(const CompareArguments& args, const GlobalArguments& global, cons
     if (!global.json)
         for (const char* each : {"compare.csv", "compare.json", "report.html"})
             console.out << (folder / each).string() << '\n';
-    if (!global.quiet) tell_what_stopped(comparison, console);
+    if (!global.quiet) {
+        tell_what_stopped(comparison, console);
+        for (const CompareRow& row : comparison.rows)
+            for (const std::string& each : lift_notes(scene, row.lifts)) print_note(console, row.method + ": " + each);
+    }
     return comparison.interrupted ? static_cast<int>(exit_interrupted) : worst_exit(comparison);
 }
 

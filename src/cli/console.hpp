@@ -15,7 +15,8 @@ struct Console {
     bool color = false;  ///< on a terminal, and NO_COLOR is not set
 };
 
-/// "carom: TEXT", the name in red on a terminal.
+/// "carom: TEXT", the name in red on a terminal; control characters in TEXT, which may come from a file, are escaped.
+/// So are those of notes.
 void print_error(const Console& console, const std::string& text);
 
 /// "carom: note: TEXT": what is no error but should be known.

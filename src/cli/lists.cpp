@@ -84,6 +84,17 @@ long long parse_integer(std::string_view text, long long low, long long high)
     return static_cast<long long>(value);
 }
 
+std::uint64_t parse_seed(std::string_view text)
+{
+    std::uint64_t seed = 0;
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), seed);  // takes no sign and no prefix
+    const bool is_whole = end.ec == std::errc() && end.ptr == text.data() + text.size();
+    const bool has_leading_zero = text.size() > 1 && text.front() == '0';
+    if (!is_whole || has_leading_zero)
+        throw error(text, "is no whole number from 0 to 18446744073709551615 in plain digits (write 42, say)");
+    return seed;
+}
+
 std::vector<std::string> parse_words(std::string_view text)
 {
     std::vector<std::string> words;

@@ -2,6 +2,7 @@
 /// Numbers and lists as users type them.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,10 @@ double parse_number(std::string_view text);
 
 /// Whole number in [low, high]; "1e6" is one. \throws std::invalid_argument
 long long parse_integer(std::string_view text, long long low, long long high);
+
+/// Seed of random choices: a whole number from 0 to 2^64 - 1 in decimal digits, every one of which counts: no sign, no
+/// exponent, no leading zeros. \throws std::invalid_argument
+std::uint64_t parse_seed(std::string_view text);
 
 /// "a,b,c", "start:stop:linN", "start:stop:logN" and mixtures; both ends belong to a range, N >= 2.
 /// \throws std::invalid_argument with what is wrong

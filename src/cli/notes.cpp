@@ -1,6 +1,9 @@
 #include "cli/notes.hpp"
 
+#include "cli/limits.hpp"
 #include "io/problems.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -43,6 +46,25 @@ std::vector<std::string> unused_materials(const Scene& scene, const std::vector<
             notes.push_back("--set " + assignment + " has no effect: no body is of the material \"" + material + "\"" +
                             io::suggestion(material, names, "in use"));
     }
+    return notes;
+}
+
+std::vector<std::string> lift_notes(const Scene& scene, std::span<const Lift> lifts)
+{
+    std::vector<std::string> notes;
+    double others = 0;
+    for (const Lift& lift : lifts) {
+        if (notes.size() == most_listed_bodies) {
+            others += lift.energy;
+            continue;
+        }
+        notes.push_back(fmt::format(
+            "\"{}\" began inside plane \"{}\" and was lifted out of it by {:.6g} when it came to rest on it: "
+            "that gave it an energy of {:.6g} (move it out of the plane, and nothing is given)",
+            scene.body_name(lift.sphere), scene.body_name(lift.plane), lift.depth, lift.energy));
+    }
+    if (lifts.size() > most_listed_bodies)
+        notes.push_back(fmt::format("so were {} more, which gave {:.6g}", lifts.size() - most_listed_bodies, others));
     return notes;
 }
 

@@ -1,12 +1,14 @@
 /// \file
-/// What the user typed that has no effect. It is no error, but silence would mislead.
+/// What is no error, but silence would mislead: options without effect, energy from nowhere.
 #pragma once
 
 #include "cli/arguments.hpp"
 
 #include <carom/method.hpp>
 #include <carom/scene.hpp>
+#include <carom/study.hpp>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,5 +19,8 @@ std::vector<std::string> ignored_options(const GivenOptions& given, const Method
 
 /// Materials that --set made or changed and no body has.
 std::vector<std::string> unused_materials(const Scene& scene, const std::vector<std::string>& set);
+
+/// Who was lifted out of an overlap, and what that gave.
+std::vector<std::string> lift_notes(const Scene& scene, std::span<const Lift> lifts);
 
 }  // namespace carom::cli

@@ -1,6 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/define.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/lists.hpp"
 #include "cli/tables.hpp"
 #include "cli/usage_error.hpp"
 
@@ -73,9 +74,10 @@ void define_run(CLI::App& app, RunArguments& run)
     add_given(app, run.given, "--until", "T", "End of the run, counted from its start [the scene's end_time]");
     add_given(app, run.given, "--max-events", "N", "Stop after so many events, or steps of a discrete method [1e9]");
     add_given(app, run.given, "--max-seconds", "S", "Stop after so many seconds on the clock");
-    app.add_option("--events", run.events,
-                   "Write the events to this file; times exact: the shortest text of the same double, or all digits if "
-                   "it is none")
+    app.add_option(
+           "--events", run.events,
+           "Write the events to this file, or for - to stdout and the table to stderr; times exact: the shortest "
+           "text of the same double, or all digits if it is none")
         ->type_name("FILE.csv");
     app.add_flag("--final", run.always_final, "Write final states of more than 1000 spheres too");
     add_scene_options(app, run.allow_overlap, run.set);
@@ -132,7 +134,8 @@ void define_check(CLI::App& app, CheckArguments& check)
         "  carom check bouncing_ball incline my_scene.json --json\n"
         "  carom check bouncing_ball --set /materials/rubber/restitution=0.5\n"
         "Exit: 0 all hold, 4 one fails, 1 none fails but a run ended unresolved before its end, 5 at a limit, 3 bad "
-        "scene.");
+        "scene\n"
+        "or one without checks, and then nothing is run.");
 }
 
 void define_explain(CLI::App& app, ExplainArguments& explain)
@@ -172,6 +175,15 @@ void define_report(CLI::App& app, ReportArguments& report)
         "Exit: 0 written, 2 usage, 3 a folder is none of compare's or the page cannot be written.");
 }
 
+std::uint64_t seed_option(const std::string& text)
+{
+    try {
+        return parse_seed(text);
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("--seed", error.what());
+    }
+}
+
 void define_global(CLI::App& app, GlobalArguments& global)
 {
     app.set_version_flag("--version", std::string("carom ") + CAROM_VERSION);
@@ -179,7 +191,10 @@ void define_global(CLI::App& app, GlobalArguments& global)
     app.add_flag("-q,--quiet", global.quiet, "Nothing on stderr but errors");
     app.add_flag("-v,--verbose", global.verbose, "Say more on stderr");
     app.add_flag("--no-progress", global.no_progress, "No progress line");
-    app.add_option("--seed", global.seed, "Seed of every random choice [the scene's]")->type_name("N");
+    app.add_option_function<std::string>(
+           "--seed", [&global](const std::string& text) { global.seed = seed_option(text); },
+           "Seed of every random choice, a whole number from 0 to 2^64 - 1 [the scene's]")
+        ->type_name("N");
     app.fallthrough();
     app.require_subcommand(1);
     app.footer(

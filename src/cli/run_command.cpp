@@ -7,6 +7,7 @@
 #include "cli/response.hpp"
 #include "cli/tables.hpp"
 #include "io/events_csv.hpp"
+#include "io/output_file.hpp"
 #include "io/run_json.hpp"
 
 #include <carom/error.hpp>
@@ -14,7 +15,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -23,34 +23,38 @@ namespace carom::cli {
 
 namespace {
 
-/// The events file of a run: made before the run, so that a wrong path fails at once.
-class EventsFile {
+/// What `--events` calls stdout.
+constexpr const char* standard_output = "-";
+
+/// Where the events of a run go: a file, made before the run so that a wrong path fails at once, or stdout.
+class EventsOutput {
 public:
-    EventsFile(const std::filesystem::path& file, const Scene& scene, const Method& method) : file_(file)
+    EventsOutput(const std::string& where, const Scene& scene, const Method& method, const Console& console)
+    {
+        if (where != standard_output) open(where);
+        csv_.emplace(file_ ? file_->stream() : console.out, scene, std::holds_alternative<EventDriven>(method));
+    }
+    void write(const Event& event)
+    {
+        csv_->write(event);
+        if (file_) file_->check();  // a full disk ends the run, not a day later
+    }
+    void close()
+    {
+        if (file_) file_->close();
+    }
+
+private:
+    void open(const std::filesystem::path& file)
     {
         // A slip in a path must not make folders.
         if (std::error_code ignored;
             file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), ignored))
             throw InputError({file.string() + ": no such folder: " + file.parent_path().string() + " (make it first)"});
-        stream_.open(file, std::ios::binary);
-        csv_.emplace(stream_, scene, std::holds_alternative<EventDriven>(method));
-        check();
-    }
-    void write(const Event& event) { csv_->write(event); }
-    void close()
-    {
-        stream_.close();
-        check();
+        file_.emplace(file);
     }
 
-private:
-    void check() const
-    {
-        if (!stream_) throw InputError({file_.string() + ": cannot be written"});
-    }
-
-    std::filesystem::path file_;
-    std::ofstream stream_;
+    std::optional<io::OutputFile> file_;
     std::optional<io::EventsCsv> csv_;
 };
 
@@ -88,6 +92,9 @@ void explain_settings(const Scene& scene, const std::filesystem::path& file, con
 
 int do_run(const RunArguments& args, const GlobalArguments& global, const Console& console)
 {
+    const bool events_to_stdout = args.events == standard_output;
+    if (events_to_stdout && global.json)
+        throw UsageError("run: --events - and --json both write to stdout (name a file for the events)");
     const std::filesystem::path file = find_scene(args.scene, scene_folder());
     const Scene scene =
         with_response(read_with_options(file, args.allow_overlap, args.set, global), args.given, file.string());
@@ -98,8 +105,8 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
         for (const std::string& each : unused_materials(scene, args.set)) print_note(console, each);
     }
 
-    std::optional<EventsFile> events;
-    if (!args.events.empty()) events.emplace(args.events, scene, settings.method);
+    std::optional<EventsOutput> events;
+    if (!args.events.empty()) events.emplace(args.events, scene, settings.method, console);
     std::unique_ptr<RecordingWriter> recording;
     if (!args.out.empty()) recording = make_recording(args.out, scene, settings, global.quiet, console);
     const InterruptGuard guard;
@@ -128,7 +135,10 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
 
     const std::string json = io::run_json(scene, settings.method, run, {.always_final = settings.always_final});
     if (!args.out.empty()) write_file(std::filesystem::path(args.out) / "run.json", json);
-    console.out << (global.json ? json : run_table(scene, run));
+    if (!events_to_stdout)
+        console.out << (global.json ? json : run_table(scene, run));
+    else if (!global.quiet)
+        console.err << run_table(scene, run);
     const Outcome& outcome = run.outcome;
     if (outcome.status != Status::reached_end && !global.quiet)
         print_error(console, outcome.message.empty()
@@ -136,6 +146,8 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
                                  : fmt::format("{}: {}", name(outcome.status), outcome.message));
     const std::string advice = unresolved_advice(outcome);
     if (!advice.empty() && !global.quiet) print_note(console, advice);
+    if (!global.quiet)
+        for (const std::string& each : lift_notes(scene, run.lifts)) print_note(console, each);
     return exit_code(outcome.status);
 }
 

@@ -80,7 +80,9 @@ std::string drift_text(const RunStudy& run)
     const double gain = run.final_energy - run.initial_energy;
     if (!std::isfinite(gain)) return "BLEW UP: no longer a finite number";
     if (gain > energy_rounding * run.max_kinetic_energy)
-        return fmt::format("GREW by {:.4g} (no contact gives energy: this run is wrong)", gain);
+        return fmt::format("GREW by {:.4g} ({})", gain,
+                           run.lifts.empty() ? "no contact gives energy: this run is wrong"
+                                             : "spheres were lifted out of planes in which they began");
     return run.max_relative_drift ? figure(run.max_relative_drift) : "- (contacts take energy)";
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace carom {
@@ -57,7 +58,7 @@ public:
 
 private:
     struct Recent {
-        double window = -1;
+        std::optional<double> window{};
         std::int64_t count = 0, next = 0;
     };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_set>
 
 namespace carom {
@@ -19,8 +20,9 @@ constexpr double rounding = 1e-13;
 
 class Resolver {
 public:
-    /// \param key of the event, null for contacts of the start
-    Resolver(const State& state, ContactComponent component, const EpochTime& now, const Key* key, EventOutcome& out)
+    /// \param key of the event; none for contacts of the start
+    Resolver(const State& state, ContactComponent component, const EpochTime& now, std::optional<Key> key,
+             EventOutcome& out)
         : state_(state), component_(std::move(component)), now_(now), key_(key), out_(out)
     {
     }
@@ -163,7 +165,7 @@ private:
     const State& state_;
     ContactComponent component_;
     const EpochTime now_;
-    const Key* const key_;
+    const std::optional<Key> key_;
     EventOutcome& out_;
     double speed_ = 0;            ///< the largest before [length/time]
     std::vector<Vec3> impulses_;  ///< by contact: of the impact [mass length/time]
@@ -173,7 +175,7 @@ private:
 
 void resolve_component(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out)
 {
-    Resolver(state, gather(state, key, neighbourhood), key.time, &key, out).go();
+    Resolver(state, gather(state, key, neighbourhood), key.time, key, out).go();
 }
 
 std::vector<EventOutcome> begin_components(const State& state)
@@ -181,7 +183,7 @@ std::vector<EventOutcome> begin_components(const State& state)
     std::vector<EventOutcome> out;
     for (ContactComponent& component : declared_components(state)) {
         out.emplace_back();
-        Resolver(state, std::move(component), {}, nullptr, out.back()).go();
+        Resolver(state, std::move(component), {}, std::nullopt, out.back()).go();
     }
     return out;
 }

@@ -7,6 +7,7 @@
 
 #include <carom/response.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace carom {
@@ -16,9 +17,9 @@ struct NormalImpact {
     int rounds = 0;                ///< `sequential`, `shock`: impulses; `lcp`: steps of the solver
     bool jammed = false;           ///< `reflections`: a jammed set was found and projected
     bool capped = false;           ///< the bound on rounds was met: the impulses are the inelastic ones
-    /// `shock`: velocities after, as impulses on lower bodies went into the ground. Empty: those that the impulses
+    /// `shock`: velocities after, as impulses on lower bodies went into the ground. Elsewhere those that the impulses
     /// give.
-    std::vector<Vec3> velocities;
+    std::optional<std::vector<Vec3>> velocities{};
 };
 
 /// The response with all contacts inelastic: the velocities nearest to those before, in the metric of kinetic energy,

@@ -117,7 +117,7 @@ ClusterImpact resolve_cluster(const ContactProblem& cluster, const ImpactOptions
     out.capped = normal.capped;
     for (std::size_t i = 0; i < normal.impulses.size(); ++i)
         out.impulses.push_back(normal.impulses[i] * cluster.contacts[i].normal);
-    out.velocities = normal.velocities.empty() ? velocities_after(cluster, before, out.impulses) : normal.velocities;
+    out.velocities = normal.velocities ? *normal.velocities : velocities_after(cluster, before, out.impulses);
     add_tangential(cluster, normal.impulses, out);
     open_all(cluster, out);
 

@@ -1,5 +1,7 @@
 #include "io/compare_files.hpp"
 
+#include "io/lift_json.hpp"
+
 #include <nlohmann/json.hpp>
 
 namespace carom::io {
@@ -55,7 +57,8 @@ Json row_json(const Scene& scene, const CompareRow& row)
             {"reference_impacts", row.reference_impacts},
             {"mistimed_impacts", row.mistimed_impacts},
             {"missed", mismatches_json(scene, row.missed)},
-            {"invented", mismatches_json(scene, row.invented)}};
+            {"invented", mismatches_json(scene, row.invented)},
+            {"lifted", lifts_json(scene, row.lifts)}};
 }
 
 std::string joined(const std::vector<std::string>& sentences)

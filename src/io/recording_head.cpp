@@ -1,5 +1,8 @@
 #include "io/recording_head.hpp"
 
+#include "io/json.hpp"
+#include "scene/tolerances.hpp"
+
 #include <carom/error.hpp>
 
 #include <charconv>
@@ -30,6 +33,23 @@ bool is_power_of_two(double x)
 {
     int exponent = 0;
     return x > 0 && std::isfinite(x) && std::frexp(x, &exponent) == 0.5;
+}
+
+/// impact.tie of the scene in a recording; 0 if it says none.
+double tie_of(const std::string& document, const std::string& file)
+{
+    Json scene;
+    try {
+        scene = parse_json(document, "scene");
+    } catch (const InputError&) {
+        damaged(file, "its scene is no JSON");
+    }
+    const Json* impact = scene.find("impact");
+    const Json* tie = impact == nullptr ? nullptr : impact->find("tie");
+    if (tie == nullptr) return 0;
+    if (tie->kind != Json::Kind::number || !(tie->number >= 0 && tie->number <= largest_contact_gap))
+        damaged(file, "a tie that cannot be");
+    return tie->number;
 }
 
 BodiesRow bodies_row(const Statement& row)
@@ -118,6 +138,7 @@ private:
         out_.run.frame = {frame.epoch_length, frame.cell_size, vectors_of(frame.accelerations, file)};
         if (!is_power_of_two(out_.run.frame.epoch_length) || !is_power_of_two(out_.run.frame.cell_size))
             damaged(database_.file, "a frame that is no power of two");
+        out_.run.tie = tie_of(out_.scene, file);
         out_.run.closing_speed = frame.closing_speed;
         out_.run.window = frame.window;
         if (!(frame.closing_speed >= 0) || !(frame.window >= 0)) damaged(database_.file, "thresholds that cannot be");

@@ -1,5 +1,7 @@
 #include "io/run_json.hpp"
 
+#include "io/lift_json.hpp"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -114,6 +116,7 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
                       {"max_relative_drift", optional_json(run.max_relative_drift)}};
     if (event != nullptr) {
         json["energy"]["taken"] = energy_taken_json(outcome.energy_taken);
+        json["energy"]["lifted"] = lifts_json(scene, run.lifts);
         json["body_seconds"] = body_seconds_json(outcome.body_seconds);
     }
     json["momentum"] = {{"initial", vector_json(run.initial_momentum)}, {"final", vector_json(run.final_momentum)}};

@@ -8,6 +8,7 @@
 #include "io/json.hpp"
 #include "io/limits.hpp"
 #include "io/problems.hpp"
+#include "io/syntax_error.hpp"
 
 namespace carom {
 
@@ -27,8 +28,10 @@ std::string read_text(const fs::path& file)
     std::array<char, io::read_at_once> chunk;
     while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
         text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+        if (text.find('\0', text.size() - static_cast<std::size_t>(stream.gcount())) != std::string::npos)
+            io::refuse_binary(name);  // at once: there may be no end
         if (text.size() > io::most_scene_bytes)
-            throw InputError({name + ": is larger than 1 GiB (use \"fill\" for many spheres)"});
+            throw InputError({name + ": is larger than 1 GiB, more than any scene (use \"fill\" for many spheres)"});
     }
     if (stream.bad()) throw InputError({name + ": cannot be read"});
     return text;

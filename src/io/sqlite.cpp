@@ -1,5 +1,7 @@
 #include "io/sqlite.hpp"
 
+#include "core/printable.hpp"
+
 #include <carom/error.hpp>
 
 #include <sqlite3.h>
@@ -42,7 +44,8 @@ void Database::fail() const
 {
     const int code = sqlite3_errcode(handle_) & 0xff;
     const bool damaged = code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR;
-    throw InputError({file + (damaged ? ": damaged: " : ": ") + sqlite3_errmsg(handle_)});
+    throw InputError(
+        {file + (damaged ? ": damaged: " : ": ") + printable(sqlite3_errmsg(handle_))});  // may quote the file
 }
 
 void Database::execute(const char* sql)

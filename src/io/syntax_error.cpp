@@ -103,6 +103,11 @@ std::string syntax_error(std::string_view text, const std::string& file, std::si
     return place + plain(what);
 }
 
+void refuse_binary(const std::string& file)
+{
+    throw InputError({file + ": is a binary file or not UTF-8, no JSON text (save it as UTF-8 text)"});
+}
+
 void refuse_what_is_no_text(std::string_view text, const std::string& file)
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -112,7 +117,7 @@ void refuse_what_is_no_text(std::string_view text, const std::string& file)
     const auto lead = static_cast<unsigned char>(text[first]);
     constexpr unsigned char first_printable = 0x20, last_printable = 0x7e;
     if (lead < first_printable || lead > last_printable || text.find('\0') != std::string_view::npos)
-        throw InputError({file + ": is a binary file or not UTF-8, no JSON text (save it as UTF-8 text)"});
+        refuse_binary(file);
 }
 
 }  // namespace carom::io

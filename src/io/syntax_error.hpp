@@ -17,5 +17,7 @@ std::string syntax_error(std::string_view text, const std::string& file, std::si
 /// \throws InputError for what cannot be JSON at all and deserves a better word than the parser's: empty and binary
 /// files.
 void refuse_what_is_no_text(std::string_view text, const std::string& file);
+/// \throws InputError
+[[noreturn]] void refuse_binary(const std::string& file);
 
 }  // namespace carom::io

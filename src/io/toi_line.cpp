@@ -1,6 +1,7 @@
 #include "io/toi_line.hpp"
 
 #include "io/limits.hpp"
+#include "toi/overlap_depth.hpp"
 #include "toi/tolerances.hpp"
 
 #include <carom/time_of_impact.hpp>
@@ -89,15 +90,23 @@ Plane plane(const json& value)
     return out;
 }
 
-TimeOfImpact ask(const json& query)
+struct Answer {
+    TimeOfImpact hit;
+    double overlap = 0;  ///< at t = 0 [length]
+};
+
+Answer ask(const json& query)
 {
     expect_object(query, "query", {"a", "b", "plane", "until"});
     const MovingSphere a = sphere(needed(query, "a", "query"), "a");
     if (query.contains("b") == query.contains("plane")) throw BadQuery("query: needs either \"b\" or \"plane\"");
-    if (query.contains("plane")) return time_of_impact(a, plane(query["plane"]));
+    if (query.contains("plane")) {
+        const Plane p = plane(query["plane"]);
+        return {time_of_impact(a, p), overlap_depth(a, p)};
+    }
     const MovingSphere b = sphere(query["b"], "b");
     if (!(a.radius + b.radius > 0)) throw BadQuery("query: one of the radii must be positive");
-    return time_of_impact(a, b);
+    return {time_of_impact(a, b), overlap_depth(a, b)};
 }
 
 double until(const json& query)
@@ -108,15 +117,18 @@ double until(const json& query)
     return at_least_zero(found->get<double>(), "until");
 }
 
-std::string answer(const TimeOfImpact& hit)
+std::string answer(const TimeOfImpact& hit, double overlap)
 {
+    const std::string tail = (overlap > 0 ? fmt::format(R"(,"overlap":{})", overlap) : "") + "}";
     if (!hit)
         return fmt::format(
-            R"({{"status":"none","t":null,"lo":null,"hi":null,"normal":null,"approach_speed":null,"level":{}}})",
-            hit.level);
-    return fmt::format(R"({{"status":"{}","t":{},"lo":{},"hi":{},"normal":[{},{},{}],"approach_speed":{},"level":{}}})",
+                   R"({{"status":"none","t":null,"lo":null,"hi":null,"normal":null,"approach_speed":null,"level":{})",
+                   hit.level) +
+               tail;
+    return fmt::format(R"({{"status":"{}","t":{},"lo":{},"hi":{},"normal":[{},{},{}],"approach_speed":{},"level":{})",
                        hit.status == ImpactStatus::touching ? "touching" : "impact", hit.t, hit.t_lo, hit.t_hi,
-                       hit.normal.x(), hit.normal.y(), hit.normal.z(), hit.approach_speed, hit.level);
+                       hit.normal.x(), hit.normal.y(), hit.normal.z(), hit.approach_speed, hit.level) +
+           tail;
 }
 
 std::string error(const std::string& message)
@@ -132,13 +144,13 @@ std::string answer_toi_line(std::string_view line)
     if (line.size() > longest_toi_line) return error(fmt::format("longer than {} characters", longest_toi_line));
     try {
         const json query = json::parse(line);
-        TimeOfImpact hit = ask(query);
+        auto [hit, overlap] = ask(query);
         if (hit.t > until(query)) {
             const int level = hit.level;
             hit = {};
             hit.level = level;
         }
-        return answer(hit);
+        return answer(hit, overlap);
     } catch (const BadQuery& problem) {
         return error(problem.what());
     } catch (const json::exception& problem) {

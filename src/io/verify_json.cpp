@@ -52,6 +52,7 @@ std::string verify_json(const Certificate& c, const RecordingReader& recording)
     json["smallest_gap"] = c.smallest_gap;
     json["smallest_gap_time"] = c.smallest_gap_time;
     json["impulses"] = c.impulses;
+    json["tie"] = recording.run().tie;
     json["largest"] = {{"impact_gap", c.largest_impact_gap},         {"jump", c.largest_jump},
                        {"impulse_error", c.largest_impulse_error},   {"law_error", c.largest_law_error},
                        {"momentum_error", c.largest_momentum_error}, {"energy_error", c.largest_energy_error}};

@@ -69,8 +69,9 @@ std::string too_dense(const Region& region, const std::vector<double>& radii)
     double volume = 0;
     for (const double r : radii) volume += sphere_mass(1, r);
     const double fraction = volume / (size.x() * size.y() * size.z());
-    if (!(fraction > largest_random_fraction)) return "";
     const auto n = static_cast<double>(radii.size());
+    // Each term of the sum rounds once more.
+    if (!(fraction > largest_random_fraction * (1 + fraction_rounding + n * term_rounding))) return "";
     return "/count: packing fraction " + to_text(fraction, 4) + " is above " + to_text(largest_random_fraction) +
            " for pattern \"random\": not yet supported (take at most " +
            to_text(std::floor(n * largest_random_fraction / fraction)) + " spheres, a larger region, or \"cubic\")";

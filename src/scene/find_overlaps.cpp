@@ -25,6 +25,7 @@ std::vector<Overlap> overlapping_spheres(const std::vector<Sphere>& spheres)
     for (const std::size_t i : largest_first(radii)) {
         const Sphere& s = spheres[i];
         grid.visit_near(s.position, s.radius, [&](std::size_t j) {
+            if (s.fixed && spheres[j].fixed) return true;
             const double gap = sphere_gap(s.position, s.radius, spheres[j].position, spheres[j].radius);
             if (gap < -declared_contact * s.radius) found.push_back({std::min(i, j), std::max(i, j), -gap});
             return found.size() < most_overlaps_counted;
@@ -54,7 +55,7 @@ std::vector<Overlap> overlapping_planes(const Scene& scene)
     for (std::size_t i = 0; i < scene.spheres.size(); ++i)
         for (std::size_t p = 0; p < scene.planes.size(); ++p) {
             const Sphere& s = scene.spheres[i];
-            if (centre_inside(scene.planes[p], s)) continue;  // an error of its own
+            if (s.fixed || centre_inside(scene.planes[p], s)) continue;  // a centre inside is an error of its own
             const double gap = plane_gap(scene.planes[p], s, s.position);
             if (gap < -declared_contact * s.radius) found.push_back({i, p, -gap});
         }
@@ -83,7 +84,7 @@ std::vector<std::string> centres_inside_plates(const Scene& scene, const BodyPla
         for (std::size_t p = 0; p < scene.planes.size(); ++p) {
             const Sphere& s = scene.spheres[i];
             const Plane& plane = scene.planes[p];
-            if (!centre_inside(plane, s)) continue;
+            if (s.fixed || !centre_inside(plane, s)) continue;
             lines.push_back(places.sphere(i) + ": the centre of sphere " + quoted(s.id) + " is inside plate " +
                             quoted(plane.id) + " (" + places.plane(p) + "), so that it has no side (move it out)");
         }

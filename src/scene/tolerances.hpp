@@ -2,6 +2,7 @@
 /// The tolerances of scenes, their fills and their checks: unit, value, reason.
 #pragma once
 
+#include "math/error_free.hpp"
 #include "projection/tolerances.hpp"
 
 #include <cstddef>
@@ -68,6 +69,12 @@ inline constexpr double farthest_cell_number = 0x1p60;
 /// Packing fraction [1], volume of the spheres over that of the region, that random insertion is asked for at most. It
 /// jams at 0.38.
 inline constexpr double largest_random_fraction = 0.30;
+/// Error [1, of itself] of the packing fraction of one sphere: 5 roundings of a volume, 9 of the cube of a radius that
+/// is itself right to an ulp, 6 of the region's volume and the quotient, 1 of the limit; 21 counted, less the one of a
+/// sum that one sphere does not have.
+inline constexpr double fraction_rounding = 20 * unit_roundoff;
+/// Error [1, of the sum] that each further sphere adds to a packing fraction.
+inline constexpr double term_rounding = unit_roundoff;
 /// Gap [radius] that random insertion leaves at least: a thousand times what would pass for a declared contact.
 inline constexpr double least_random_gap = 1e-6;
 /// Tries [1] for one sphere of a random fill: where a tenth of a percent of the places are free, all miss with e^-1000.

@@ -23,7 +23,8 @@ std::vector<std::string> validate(const Scene& scene, bool allow_overlap, const 
 std::vector<std::string> find_duplicate_ids(const Scene& scene, const BodyPlaces& places = {});
 
 /// Centres inside a plate; unless `allow_overlap`, also every pair of bodies with gap < -1e-9 r, r the smaller radius.
-/// The first 20 are named, the rest is counted. \pre positions and radii are finite, radii > 0.
+/// Pairs of which neither can move (a fixed sphere and another one or a plane) may overlap as they like. The first 20
+/// are named, the rest is counted. \pre positions and radii are finite, radii > 0.
 std::vector<std::string> find_overlaps(const Scene& scene, bool allow_overlap, const BodyPlaces& places = {});
 
 }  // namespace carom

@@ -36,6 +36,7 @@ double total_energy(const Scene& scene, std::span<const BodyState> states)
     CAROM_EXPECT(states.size() == scene.spheres.size());
     CompensatedSum sum;
     for (std::size_t i = 0; i < states.size(); ++i) {
+        if (scene.spheres[i].fixed) continue;
         const double mass = scene.spheres[i].mass;
         sum.add(mass * states[i].velocity.squaredNorm() / 2);
         sum.add(-mass * scene.gravity.dot(states[i].position));
@@ -48,6 +49,7 @@ double energy_difference(const Scene& scene, std::span<const BodyState> a, std::
     CAROM_EXPECT(a.size() == scene.spheres.size() && b.size() == a.size());
     CompensatedSum sum;
     for (std::size_t i = 0; i < a.size(); ++i) {
+        if (scene.spheres[i].fixed) continue;
         const Vec3 dv = a[i].velocity - b[i].velocity;
         const Vec3 dx = a[i].position - b[i].position;
         sum.add(scene.spheres[i].mass * dv.dot(a[i].velocity + b[i].velocity) / 2);
@@ -68,6 +70,7 @@ Vec3 momentum(const Scene& scene, std::span<const BodyState> states)
 std::int64_t escaped(const Scene& scene, std::span<const BodyState> states)
 {
     const auto outside = [&](const BodyState& state) {
+        if (state.mode == Mode::fixed) return false;
         if (!state.position.allFinite()) return true;
         return std::any_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
             return !plane.thickness && plane.normal.dot(state.position) < plane.offset;
@@ -108,20 +111,29 @@ Deviation velocity_deviation(std::span<const BodyState> a, std::span<const BodyS
 
 bool conserves_energy(const Scene& scene)
 {
-    std::vector<std::size_t> bodies(scene.materials.size());
-    for (const Sphere& sphere : scene.spheres) ++bodies[static_cast<std::size_t>(sphere.material)];
+    struct Presence {
+        std::size_t movable = 0, fixed = 0;  ///< spheres of a material
+    };
+    std::vector<Presence> present(scene.materials.size());
+    for (const Sphere& sphere : scene.spheres) {
+        Presence& material = present[static_cast<std::size_t>(sphere.material)];
+        ++(sphere.fixed ? material.fixed : material.movable);
+    }
     const auto keeps = [](const ContactLaw& law) {
         return law.restitution == 1 && law.tangential == 1 && law.attenuation == 1;
     };
+    const auto can_meet = [&](int a, int b) {
+        const Presence &x = present[static_cast<std::size_t>(a)], &y = present[static_cast<std::size_t>(b)];
+        if (a == b) return x.movable > 0 && x.movable + x.fixed > 1;
+        return (x.movable > 0 && y.movable + y.fixed > 0) || (x.fixed > 0 && y.movable > 0);
+    };
     const auto materials = static_cast<int>(scene.materials.size());
     for (int a = 0; a < materials; ++a) {
-        const std::size_t count = bodies[static_cast<std::size_t>(a)];
-        if (count == 0) continue;
-        for (const Plane& plane : scene.planes)
-            if (!keeps(plane_contact_law(scene, a, plane.material))) return false;
-        if (count > 1 && !keeps(sphere_contact_law(scene, a, a))) return false;
-        for (int b = a + 1; b < materials; ++b)
-            if (bodies[static_cast<std::size_t>(b)] > 0 && !keeps(sphere_contact_law(scene, a, b))) return false;
+        if (present[static_cast<std::size_t>(a)].movable > 0)
+            for (const Plane& plane : scene.planes)
+                if (!keeps(plane_contact_law(scene, a, plane.material))) return false;
+        for (int b = a; b < materials; ++b)
+            if (can_meet(a, b) && !keeps(sphere_contact_law(scene, a, b))) return false;
     }
     return true;
 }

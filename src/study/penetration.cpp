@@ -31,6 +31,9 @@ int widest_axis(std::span<const BodyState> states, std::span<const Interval> fin
 double max_penetration(const Scene& scene, std::span<const BodyState> states)
 {
     CAROM_EXPECT(states.size() == scene.spheres.size());
+    const auto can_move = [&](std::size_t a, std::size_t b) {
+        return !scene.spheres[a].fixed || !scene.spheres[b].fixed;
+    };
     std::vector<Interval> intervals;
     intervals.reserve(states.size());
     double deepest = 0;
@@ -38,6 +41,7 @@ double max_penetration(const Scene& scene, std::span<const BodyState> states)
         const Vec3& position = states[i].position;
         if (!position.allFinite()) continue;
         intervals.push_back({0, 0, i});
+        if (scene.spheres[i].fixed) continue;
         for (const Plane& plane : scene.planes)
             deepest = std::max(deepest, -plane_gap(plane, scene.spheres[i], position));
     }
@@ -55,7 +59,7 @@ double max_penetration(const Scene& scene, std::span<const BodyState> states)
             const std::size_t a = intervals[i].sphere, b = intervals[j].sphere;
             const double reach = scene.spheres[a].radius + scene.spheres[b].radius;
             const double squared = (states[a].position - states[b].position).squaredNorm();
-            if (squared < reach * reach) deepest = std::max(deepest, reach - std::sqrt(squared));
+            if (squared < reach * reach && can_move(a, b)) deepest = std::max(deepest, reach - std::sqrt(squared));
         }
     return deepest;
 }

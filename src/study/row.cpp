@@ -3,6 +3,7 @@
 #include "study/clock.hpp"
 #include "study/compensated_sum.hpp"
 #include "study/largest.hpp"
+#include "study/lift_watch.hpp"
 #include "study/matching.hpp"
 #include "study/tolerances.hpp"
 
@@ -163,6 +164,11 @@ RecordedRow record_row(const RowTask& task)
         recorder.sample(k, time, states);
         watch.resume();
     };
+    LiftWatch lift_watch(task.scene);
+    if (std::holds_alternative<EventDriven>(task.method) && lift_watch.has_work()) {
+        observer.on_frame = [&](const RunFrame& frame) { lift_watch.on_frame(frame); };
+        observer.on_flight = [&](const FlightRecord& flight) { lift_watch.on_flight(flight); };
+    }
     const Outcome outcome = simulate(task.scene, task.method, task.run, observer);
     watch.pause();
     result.cpu_seconds = watch.cpu();
@@ -183,6 +189,7 @@ RecordedRow record_row(const RowTask& task)
     row.status = outcome.status;
     row.message = outcome.message;
     row.time = outcome.time;
+    row.lifts = lift_watch.lifts();
     return result;
 }
 

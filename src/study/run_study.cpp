@@ -2,6 +2,7 @@
 
 #include "study/clock.hpp"
 #include "study/largest.hpp"
+#include "study/lift_watch.hpp"
 #include "study/tolerances.hpp"
 
 #include <algorithm>
@@ -30,6 +31,17 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     observer.on_event = options.on_event;
     observer.on_frame = options.on_frame;
     observer.on_flight = options.on_flight;
+    study::LiftWatch lift_watch(scene);
+    if (event_driven && lift_watch.has_work()) {
+        observer.on_frame = [&](const RunFrame& frame) {
+            lift_watch.on_frame(frame);
+            if (options.on_frame) options.on_frame(frame);
+        };
+        observer.on_flight = [&](const FlightRecord& flight) {
+            lift_watch.on_flight(flight);
+            if (options.on_flight) options.on_flight(flight);
+        };
+    }
     observer.on_progress = options.on_progress;
     observer.on_sample = [&](std::size_t, double, std::span<const BodyState> states) {
         if (dear) watch.pause();
@@ -52,6 +64,7 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     result.initial_momentum = momentum(scene, start);
     result.final_momentum = momentum(scene, outcome.final);
     result.max_penetration = std::max(outcome.max_penetration, deepest);
+    result.lifts = lift_watch.lifts();
     result.escaped = escaped(scene, outcome.final);
     for (const double impulse : outcome.plane_impulses)
         result.plane_forces.push_back(outcome.time > 0 ? std::optional(impulse / outcome.time) : std::nullopt);

@@ -163,6 +163,13 @@ inline constexpr double latest_growth = 0x1p900;
 /// any digit of the contact is left.
 inline constexpr double has_contact_digits = 1.5;
 
+/// Square of a distance [square of the contact distance] above which two spheres are apart whatever rounding does: both
+/// squares are within 8 roundings, 1e-15.
+inline constexpr double clearly_apart = 1 + 1e-12;
+/// Square of a contact distance [length^2] above which its roundings are relative: squares of components do not
+/// underflow by what could matter.
+inline constexpr double least_plain_square = 1e-280;
+
 /// Pairs [1] of a block of the batch: its arrays of 7 inputs and 5 results, 12 KiB, stay in the first cache.
 inline constexpr std::size_t batch_block = 128;
 

@@ -125,8 +125,10 @@ void ContactAudit::check_event(const Event& event)
         data_.run.certified && event.kind == EventKind::impact && group.impulses == 1 && !group.coupled;
     const bool numeric = a.path.mode == Mode::numeric || (b && b->path.mode == Mode::numeric);
     const bool was_numeric = coverage_.was_numeric(event.a) || (b && coverage_.was_numeric(event.b));
+    // What closes next is pushed with what has closed: open by a tie, never overlapping by one.
+    const double closed = is_push(event) && at.gap > 0 ? std::max(contact_slack, data_.run.tie) : contact_slack;
     double allowed = precise ? 64 * u * std::max(at.travel, at.size)
-                             : (numeric || (was_numeric && at.gap < 0) ? deepest_numeric : contact_slack) * radius;
+                             : (numeric || (was_numeric && at.gap < 0) ? deepest_numeric : closed) * radius;
     // Within the height of the rebounds that count as none.
     if (is_push(event) && !data_.run.certified && closed_a_moment_ago(event))
         allowed += data_.closing_speed * data_.window / 4;

@@ -51,8 +51,8 @@ ClusterImpact raw(const Operator& which, const ContactProblem& cluster)
     ClusterImpact out;
     for (std::size_t i = 0; i < normal.impulses.size(); ++i)
         out.impulses.push_back(normal.impulses[i] * cluster.contacts[i].normal);
-    out.velocities = normal.velocities.empty() ? velocities_after(cluster, velocities_before(cluster), out.impulses)
-                                               : normal.velocities;
+    out.velocities = !normal.velocities ? velocities_after(cluster, velocities_before(cluster), out.impulses)
+                                               : *normal.velocities;
     out.rounds = normal.rounds;
     out.jammed = normal.jammed;
     out.capped = normal.capped;

@@ -34,6 +34,7 @@ void check_answer(const std::string& line)
     }
     const int level = answer.at("level");
     expect(0 <= level && level <= 2, "an unknown level");
+    if (answer.contains("overlap")) expect(answer.at("overlap") > 0, "an overlap of nothing");
     if (status == "none")
         expect(answer.at("t").is_null() && answer.at("lo").is_null(), "a time without an impact");
     else if (status == "impact" || status == "touching")
@@ -55,6 +56,8 @@ std::vector<std::string> seeds()
         R"({"a":{"p":[0,0,-5],"v":[0,0,1],"r":1},"plane":{"n":[1,2,3],"offset":1,"thickness":0.5},"until":100})",
         R"({"a":{"p":[0,0,1],"v":[0,0,0],"acc":[0,0,-2],"r":1},"plane":{"n":[0,0,1],"offset":0}})",
         R"({"a":{"p":[1e100,0,0],"v":[-1e-100,0,0],"r":1e-300},"b":{"p":[-1e100,0,0],"v":[0,0,0],"r":1e300}})",
+        R"({"a":{"p":[0,0,0],"v":[0,0,0],"r":1},"b":{"p":[1.9999999999999998,0,0],"v":[0,0,0],"r":1}})",
+        R"({"a":{"p":[0,0,-1],"v":[0,0,0],"r":1},"plane":{"n":[0,0,1],"offset":0,"thickness":0.5}})",
         R"({"a":{"p":[0,0,0],"v":[0,0,0],"r":-1}})",
         R"({"a":1,"b":[null,true,"x"]})",
         "",

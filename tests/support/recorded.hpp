@@ -19,6 +19,7 @@ inline RecordedRun described(const Scene& scene)
     run.gravity = scene.gravity;
     run.materials = scene.materials;
     run.contacts = scene.contacts;
+    run.tie = scene.impact.tie.value_or(0);
     run.planes = scene.planes;
     const RestThresholds rest = rest_thresholds(scene);
     run.closing_speed = rest.closing_speed;

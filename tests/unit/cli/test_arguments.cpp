@@ -67,6 +67,32 @@ TEST_CASE("options are read where the contract puts them, global ones anywhere",
     CHECK(parsed({"scenes", "show", "ball"}).scenes.show == "ball");
 }
 
+TEST_CASE("a seed is taken as it is written or refused, never as another number", "[arguments]")
+{
+    for (const char* word : {"0", "7", "10", "18446744073709551615"}) {
+        CAPTURE(word);
+        CHECK(std::to_string(parsed({"run", "ball", "--seed", word}).global.seed.value()) == word);
+    }
+    for (const char* word :
+         {"-1", "+5", "010", "00", "0x10", "1e3", "1e23", "1.5", "18446744073709551616", " 5", "5 ", "seven"}) {
+        CAPTURE(word);
+        for (const auto& args : {std::vector<std::string>{"run", "ball", "--seed", word},
+                                 std::vector<std::string>{"--seed", word, "check", "ball"},
+                                 std::vector<std::string>{"run", "ball", std::string("--seed=") + word}}) {
+            const ParseResult result = parse_arguments(args);
+            CHECK_FALSE(result.arguments);
+            CHECK(result.exit_code == exit_usage);
+            CHECK_THAT(result.err, Contains("--seed: \"" + std::string(word) +
+                                            "\" is no whole number from 0 to 18446744073709551615"));
+        }
+    }
+}
+
+TEST_CASE("an empty seed is none", "[arguments]")
+{
+    CHECK(parse_arguments({"run", "ball", "--seed", ""}).exit_code == exit_usage);
+}
+
 TEST_CASE("help and version succeed on stdout, at every level and with examples", "[arguments]")
 {
     for (const std::vector<std::string>& args : std::vector<std::vector<std::string>>{{"-h"},

@@ -97,6 +97,19 @@ TEST_CASE("check exits with 1 where a run ends unresolved and nothing fails, wit
     CHECK(carom_tool(args).code == exit_check_failed);  // but there were impacts
 }
 
+TEST_CASE("a scene without checks is told so with the cure, and nothing is run", "[cli]")
+{
+    const File file(ball_scene);
+    for (const char* json_or_not : {"--no-progress", "--json"}) {
+        const Said none = carom_tool({"check", file.path(), "bouncing_ball", "--set", "/checks=[]", json_or_not});
+        CHECK(none.code == exit_bad_input);
+        CHECK(none.out.empty());
+        CHECK_THAT(none.err, Contains(file.path() + ": /checks: the scene has none") &&
+                                 Contains("bouncing_ball.json: /checks: the scene has none") &&
+                                 Contains("\"checks\": [{\"type\": \"no_overlap\"}]"));
+    }
+}
+
 TEST_CASE("--set changes scenes of run and compare, and its errors name the pointer", "[cli]")
 {
     const File file(ball_scene);

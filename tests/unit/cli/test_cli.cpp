@@ -124,6 +124,82 @@ TEST_CASE("events go into a folder that is there", "[cli]")
     CHECK_THAT(carom_tool({"run", folder / "ball.json", "--method", "pdb"}).err, Contains("did you mean \"pbd\"?"));
 }
 
+TEST_CASE("events go to stdout for -, and the table to stderr", "[cli]")
+{
+    const Folder folder;
+    const Said said = carom_tool({"run", folder / "ball.json", "--events", "-"});
+    CHECK(said.code == exit_ok);
+    std::istringstream lines(said.out);
+    std::string head, event, more;
+    std::getline(lines, head);
+    CHECK(head == carom::io::events_csv_header);
+    std::getline(lines, event);
+    CHECK_THAT(event, Contains(",impact,ball,floor,"));
+    CHECK_FALSE(std::getline(lines, more));
+    CHECK_THAT(said.err, Contains("reached_end"));
+    CHECK_FALSE(fs::exists("-"));
+    const Said quiet = carom_tool({"run", folder / "ball.json", "--events", "-", "-q"});
+    CHECK(quiet.out == said.out);
+    CHECK(quiet.err.empty());
+    const Said both = carom_tool({"run", folder / "ball.json", "--events", "-", "--json"});
+    CHECK(both.code == exit_usage);
+    CHECK(both.out.empty());
+    CHECK_THAT(both.err, Contains("--events - and --json both write to stdout"));
+}
+
+TEST_CASE("a full disk is named, whichever file it fills", "[cli]")
+{
+    const Folder folder;
+    const Said events = carom_tool({"run", folder / "ball.json", "--events", "/dev/full"});
+    CHECK(events.code == exit_bad_input);
+    CHECK_THAT(events.err, Contains("/dev/full: cannot be written: No space left on device"));
+    fs::create_directories(folder / "out/run.json.part");  // in the way
+    const Said result = carom_tool({"run", folder / "ball.json", "--method", "pbd", "-o", folder / "out", "-q"});
+    CHECK(result.code == exit_bad_input);
+    CHECK_THAT(result.err, Contains("run.json.part: cannot be written: Is a directory"));
+}
+
+TEST_CASE("a sphere that is lifted out of a plane it began in says so, with the energy that gives it", "[cli]")
+{
+    const Folder folder;
+    const auto run = [&](const std::string& z, const std::string& v, bool as_json) {
+        return carom_tool({"run", folder / "ball.json", "--allow-overlap", "--set",
+                           "/spheres/0/position=[0,0," + z + "]", "--set", "/spheres/0/velocity=[0,0," + v + "]",
+                           as_json ? "--json" : "--no-progress"});
+    };
+    for (const std::string v : {"0", "-0.01"}) {
+        CAPTURE(v);
+        const Said table = run("0.06", v, false);
+        CHECK(table.code == exit_ok);
+        CHECK_THAT(table.err, Contains("note: \"ball\" began inside plane \"floor\" and was lifted out of it by 0.04"));
+        CHECK_THAT(table.out, !Contains("this run is wrong"));
+        const json lifted = json::parse(run("0.06", v, true).out)["energy"]["lifted"];
+        REQUIRE(lifted.size() == 1);
+        CHECK(lifted[0]["id"] == "ball");
+        CHECK(lifted[0]["plane"] == "floor");
+        CHECK(lifted[0]["depth"].get<double>() == Approx(0.04).epsilon(1e-3));
+        CHECK(lifted[0]["energy"].get<double>() == Approx(9.81 * 0.04).epsilon(1e-3));
+    }
+    CHECK(json::parse(run("0.1", "0", true).out)["energy"]["lifted"].empty());
+    CHECK(json::parse(run("1.1", "0", true).out)["energy"]["lifted"].empty());
+    const Said compared =
+        carom_tool({"compare", folder / "ball.json", "--allow-overlap", "--repeats", "1", "-o", folder / "c", "--set",
+                    "/spheres/0/position=[0,0,0.06]", "--set", "/spheres/0/velocity=[0,0,0]"});
+    CHECK_THAT(compared.err,
+               Contains("note: event: \"ball\" began inside plane \"floor\"") && !Contains("pbd: \"ball\""));
+    const json rows = json::parse(folder.read("c/compare.json"))["rows"];
+    CHECK(rows[0]["lifted"][0]["energy"].get<double>() == Approx(9.81 * 0.04).epsilon(1e-3));
+    CHECK(rows[1]["lifted"].empty());
+    // Twelve in a row, each sunk by 0.02: ten are named.
+    const Said many = carom_tool(
+        {"run", folder / "ball.json", "--allow-overlap", "--set", "/spheres=[]", "--set",
+         R"(/fill=[{"pattern": "line", "count": 12, "radius": 0.1, "gap": 1, "origin": [0, 0, 0.08], "material": "rubber"}])"});
+    CHECK_THAT(many.err, Contains("\"fill-0/9\" began inside") && !Contains("\"fill-0/10\"") &&
+                             Contains("so were 2 more, which gave 0.3924"));
+    const Said leaves = run("0.06", "2", false);  // flies out on its own, as high as its speed takes it
+    CHECK_THAT(leaves.err, !Contains("lifted"));
+}
+
 TEST_CASE("a run that met what it cannot resolve says how to go on, and compare exits with 1", "[cli]")
 {
     const Folder folder;

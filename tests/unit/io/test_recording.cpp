@@ -227,6 +227,51 @@ TEST_CASE("rows that are missing, doubled or out of order are damage", "[recordi
     }
 }
 
+TEST_CASE("the tie of a run is that of the scene in it, in range or damage", "[recording]")
+{
+    const RecordingFolder folder;
+    const std::filesystem::path file = folder / "run.carom", changed = folder / "changed.carom";
+    Scene scene = ball_with_series();
+    record_to(file, scene);
+    CHECK(RecordingReader(file).run().tie == 0);
+    scene.impact.tie = 1.0 / 3000;
+    record_to(file, scene);
+    CHECK(RecordingReader(file).run().tie == 1.0 / 3000);
+    const auto with_document = [&](const std::string& document) {
+        fuzz::RecordingParts parts = fuzz::read_parts(file);
+        parts.scene.assign(document.begin(), document.end());
+        std::filesystem::remove(changed);
+        fuzz::write_parts(changed, parts);
+        return RecordingReader(changed).run().tie;
+    };
+    CHECK(with_document("{}") == 0);
+    CHECK(with_document(R"({"impact": "lcp"})") == 0);
+    CHECK(with_document(R"({"impact": {"tie": 1e-2}})") == 1e-2);
+    for (const char* tie : {"0.011", "-1e-9", "\"1e-3\"", "[0]", "1e999"}) {
+        CAPTURE(tie);
+        CHECK_THROWS_WITH(with_document(R"({"impact": {"tie": )" + std::string(tie) + "}}"), Contains("damaged: "));
+    }
+    CHECK_THROWS_WITH(with_document("\x1b[31m"), Contains("damaged: its scene is no JSON"));
+}
+
+TEST_CASE("what SQLite says of a damaged schema cannot reach the terminal raw", "[recording]")
+{
+    const RecordingFolder folder;
+    const std::filesystem::path file = folder / "run.carom";
+    record_to(file, ball_with_series());
+    std::string bytes = bytes_of(file);
+    const std::size_t at = bytes.find("tablemetameta");
+    REQUIRE(at != std::string::npos);
+    bytes.replace(at, 9, "table\x1b[1m");
+    write_bytes(file, bytes);
+    try {
+        RecordingReader reader(file);
+        FAIL("the damage was not seen");
+    } catch (const InputError& error) {
+        CHECK_THAT(error.what(), Contains("damaged: ") && Contains("\\x1b[1m") && !Contains("\x1b"));
+    }
+}
+
 TEST_CASE("what is no recording is said so", "[recording]")
 {
     const RecordingFolder folder;

@@ -51,6 +51,43 @@ TEST_CASE("a query over a plane takes accelerations, a thickness and a normal of
     CHECK(rest.at("t") == 0);
 }
 
+TEST_CASE("bodies that overlap say how deep, whether they approach or not", "[toi_line]")
+{
+    const auto spheres = [](const std::string& x, const std::string& v) {
+        return ask(R"({"a": {"p": [0,0,0], "v": [)" + v + R"(,0,0], "r": 1}, "b": {"p": [)" + x +
+                   R"(,0,0], "v": [0,0,0], "r": 1}})");
+    };
+    const json at_rest = spheres("1.5", "0");
+    CHECK(at_rest.at("status") == "none");
+    CHECK(at_rest.at("t").is_null());
+    CHECK(at_rest.at("overlap") == 0.5);
+    CHECK(spheres("1.5", "-1").at("status") == "none");
+    CHECK(spheres("1.5", "-1").at("overlap") == 0.5);
+    CHECK(spheres("1.5", "1").at("status") == "touching");
+    CHECK(spheres("1.5", "1").at("overlap") == 0.5);
+    CHECK(spheres("0", "0").at("overlap") == 2);
+    // Touching is no overlap; the next double below is one, to its last digit.
+    CHECK_FALSE(spheres("2", "0").contains("overlap"));
+    CHECK(spheres("1.9999999999999998", "0").at("overlap") == 0x1p-52);
+    CHECK_FALSE(spheres("2.5", "1").contains("overlap"));
+
+    const auto over_plane = [](const std::string& z, const std::string& thickness) {
+        return ask(R"({"a": {"p": [0,0,)" + z + R"(], "v": [0,0,0], "r": 1}, "plane": {"n": [0,0,2], "offset": 0)" +
+                   thickness + "}}");
+    };
+    CHECK(over_plane("0.25", "").at("overlap") == 0.75);
+    CHECK(over_plane("-3", "").at("overlap") == 4);
+    CHECK_FALSE(over_plane("1", "").contains("overlap"));
+    CHECK(over_plane("-1", R"(, "thickness": 0.5)").at("overlap") == 0.25);
+    CHECK_FALSE(over_plane("-3", R"(, "thickness": 0.5)").contains("overlap"));
+    // 1e300 squared is beyond the doubles, 1e-300 squared below them.
+    for (const std::string size : {"1e300", "1e-300"}) {
+        const json answer = ask(R"({"a": {"p": [0,0,0], "v": [0,0,0], "r": )" + size + R"(}, "b": {"p": [)" + size +
+                                R"(,0,0], "v": [0,0,0], "r": )" + size + "}}");
+        CHECK(answer.at("overlap").get<double>() == Approx(std::stod(size)).epsilon(1e-15));
+    }
+}
+
 TEST_CASE("beyond `until` there is no impact", "[toi_line]")
 {
     const std::string query =

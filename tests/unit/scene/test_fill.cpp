@@ -130,6 +130,21 @@ TEST_CASE("random insertion reaches a packing fraction of 0.30", "[scene]")
     CHECK(volume == Approx(0.2998).epsilon(1e-3));
 }
 
+TEST_CASE("a packing fraction of 0.30 is at the limit however its radius was rounded, and one above it is not",
+          "[scene]")
+{
+    const auto problem = [](std::size_t count, double radius) {
+        return expand_fill(fill_of(RandomPattern{unit_region}, count, radius), {}).problem;
+    };
+    for (const std::size_t count : {1u, 2u, 3u, 7u, 10u, 30u, 100u, 333u}) {
+        CAPTURE(count);
+        const double radius = std::cbrt(0.3 / (static_cast<double>(count) * 4 / 3 * 3.14159265358979323846));
+        for (const double rounded : {std::nextafter(radius, 0), radius, std::nextafter(radius, 1)})
+            CHECK(problem(count, rounded).find("packing fraction") == std::string::npos);
+        CHECK(problem(count, radius * (1 + 1e-12)).find("packing fraction") != std::string::npos);
+    }
+}
+
 TEST_CASE("random insertion avoids the planes and spheres that are there", "[scene]")
 {
     Scene scene;

@@ -84,6 +84,24 @@ TEST_CASE("a centre inside a plate has no side, even where overlap is allowed", 
     CHECK(find_overlaps(s, true).empty());
 }
 
+TEST_CASE("bodies that cannot move may overlap each other, and nothing else may overlap them", "[scene]")
+{
+    Scene s = scene_of({ball("bump", 1, {0, 0, 0}), ball("next", 1, {0.5, 0, -3}), ball("a", 1, {0, 0, 2})});
+    for (const std::size_t i : {0u, 1u}) s.spheres[i].fixed = true;
+    s.spheres[1].position = {0.5, 0, 0};
+    s.spheres[2].position = {0.25, 0, 2};
+    s.planes = {floor_plane(), floor_plane(0.5)};  // cut through both; one is behind nothing and inside a plate
+    s.planes[1].id = "plate";
+    CHECK(find_overlaps(s, false).empty());
+    s.spheres[2].position = {0.25, 0, 1.75};
+    CHECK(find_overlaps(s, false).size() == 2);  // with both bumps
+    s.spheres[2].position = {5, 0, 0.75};
+    CHECK(find_overlaps(s, false).size() == 2);  // with floor and plate
+    s.spheres[2].position = {0.25, 0, 2};
+    s.spheres[1].fixed = false;
+    CHECK(find_overlaps(s, false).size() == 3);  // it moves among the others: inside the plate, in the floor, in a bump
+}
+
 TEST_CASE("many overlaps are counted after the first twenty", "[scene]")
 {
     std::vector<Sphere> row;

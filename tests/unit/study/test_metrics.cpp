@@ -78,6 +78,23 @@ TEST_CASE("spheres apart do not penetrate, and touching ones neither", "[metrics
     CHECK(max_penetration(scene, initial_states(scene)) == 0.25);
 }
 
+TEST_CASE("bodies that cannot move penetrate nothing but those that can, and have not escaped", "[metrics]")
+{
+    Scene scene;
+    scene.spheres.push_back(make_sphere("bump", 0.5, Vec3(0, 0, -0.25)));
+    scene.spheres.push_back(make_sphere("next", 0.5, Vec3(0.125, 0, -0.25)));
+    scene.spheres.push_back(make_sphere("ball", 0.5, Vec3(0, 0, 0.625)));
+    scene.spheres[0].fixed = scene.spheres[1].fixed = true;
+    scene.planes.push_back({"floor", Vec3::UnitZ(), 0, std::nullopt, 0});
+    CHECK(max_penetration(scene, initial_states(scene)) == 0.125);  // 0.5 + 0.5 - 0.875, of ball and bump
+    scene.spheres[2].position.z() = 3;
+    CHECK(max_penetration(scene, initial_states(scene)) == 0);
+    CHECK(escaped(scene, initial_states(scene)) == 0);
+    scene.spheres[0].fixed = false;
+    CHECK(max_penetration(scene, initial_states(scene)) == 0.875);  // of two that are 0.125 apart
+    CHECK(escaped(scene, initial_states(scene)) == 1);
+}
+
 TEST_CASE("a plate penetrates from both sides and a half-space from one", "[metrics]")
 {
     Scene scene;
@@ -114,6 +131,21 @@ TEST_CASE("a ball that fell one metre has the energy it had", "[metrics]")
     fallen[0].position[2] = 0.1;
     fallen[0].velocity[2] = -std::sqrt(2 * 9.81);
     CHECK(std::abs(energy_difference(scene, fallen, initial_states(scene))) < 1e-14);
+}
+
+TEST_CASE("who cannot move has no energy, wherever the scene puts it", "[metrics]")
+{
+    Scene scene;
+    scene.gravity = Vec3(0, 0, -10);
+    scene.spheres.push_back(make_sphere("ball", 0.5, Vec3(0, 0, 2)));
+    scene.spheres.push_back(make_sphere("peg", 0.5, Vec3(4, 0, 1e6)));
+    scene.spheres[0].mass = 3;
+    scene.spheres[1].fixed = true;
+    CHECK(total_energy(scene, initial_states(scene)) == 60);
+    scene.spheres[1].position.z() = -1e6;
+    CHECK(total_energy(scene, initial_states(scene)) == 60);
+    scene.spheres[1].fixed = false;
+    CHECK(total_energy(scene, initial_states(scene)) == 60 - 1e7);
 }
 
 TEST_CASE("an energy difference survives energies that are a billion times as large", "[metrics]")
@@ -188,5 +220,22 @@ TEST_CASE("energy is kept only if every contact that can occur keeps it", "[metr
         CHECK(conserves_energy(scene));
         scene.spheres.push_back(scene.spheres[0]);
         CHECK_FALSE(conserves_energy(scene));
+    }
+    SECTION("lossy bodies that cannot move do not meet each other")
+    {
+        scene.planes[0].material = 1;
+        scene.spheres.push_back(make_sphere("b", 1));
+        scene.spheres.push_back(make_sphere("c", 1));
+        for (const std::size_t peg : {1u, 2u}) {
+            scene.spheres[peg].fixed = true;
+            scene.spheres[peg].material = 1;
+        }
+        const auto lossless = [](int a, int b) { return ContactRule{a, b, 1.0, 1.0, std::nullopt}; };
+        scene.contacts = {lossless(0, 1)};
+        CHECK(conserves_energy(scene));
+        scene.spheres[2].fixed = false;
+        CHECK_FALSE(conserves_energy(scene));
+        scene.contacts.push_back(lossless(1, 1));
+        CHECK(conserves_energy(scene));
     }
 }

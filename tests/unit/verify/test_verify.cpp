@@ -71,6 +71,70 @@ TEST_CASE("series, slides, rests and fixed spheres hold", "[verify]")
     CHECK(all.holds());
 }
 
+TEST_CASE("overlaps of bodies that cannot move are none, and a floor of such spheres holds", "[verify]")
+{
+    Scene scene = empty_scene(3, earth, 0.5);
+    add_floor(scene);
+    for (int k = -3; k <= 3; ++k) {
+        add_sphere(scene, 0.3, {0.25 * k, 0.1 * (k % 2), 0});
+        scene.spheres.back().fixed = true;
+    }
+    add_sphere(scene, 0.2, {0.05, 0.02, 2});
+    for (const bool certified : {false, true}) {
+        MemorySource source = recorded(scene, {}, certified);
+        const Certificate c = examined(source);
+        INFO(first_violation(c));
+        CHECK(c.holds());
+        CHECK(c.impulses > 1);
+        CHECK(c.smallest_gap > -1e-15);
+        CHECK(c.body_seconds.not_certified == 0);
+        source.flights.resize(scene.spheres.size());  // the ball falls through
+        source.after.resize(scene.spheres.size());
+        source.events.clear();
+        source.seal();
+        CHECK_FALSE(examined(source).holds());
+    }
+}
+
+TEST_CASE("contacts that the scene's tie closes together hold; what is open by more than the tie is refused",
+          "[verify]")
+{
+    const auto is_refused_for_its_gap = [](const Certificate& c) {
+        return std::any_of(c.violations.begin(), c.violations.end(), [](const Violation& violation) {
+            return violation.what.find("is pushed at a gap of 5e-05") != std::string::npos;
+        });
+    };
+    for (const double restitution : {1.0, 0.5})
+        for (const ImpactOperator impact_operator :
+             {ImpactOperator::reflections, ImpactOperator::sequential, ImpactOperator::lcp}) {
+            Scene scene = empty_scene(3, Vec3::Zero(), restitution);
+            add_sphere(scene, 1, {0, 0, 0}, {1, 0, 0});
+            add_sphere(scene, 1, {3, 0, 0});
+            add_sphere(scene, 1, {5.00005, 0, 0});
+            scene.impact.impact_operator = impact_operator;
+            scene.impact.tie = 1e-4;
+            MemorySource source = recorded(scene);
+            const Certificate c = examined(source);
+            INFO(first_violation(c));
+            CHECK(c.holds());
+            CHECK(c.clusters >= 1);
+            CHECK(c.largest_impact_gap == Approx(5e-5));
+            for (const double tie : {0.0, 4.9e-5}) {
+                source.description.tie = tie;
+                CHECK(is_refused_for_its_gap(examined(source)));
+            }
+        }
+    for (const double tie : {1e-6, 1e-4, 1e-2}) {  // crowded, so that ties are common
+        Scene scene = gas(6, 150, 2, {0, 0, -1}, 1, 0.4, 0.5, 6);
+        scene.impact.tie = tie;
+        const Certificate c = examined(recorded(scene));
+        CAPTURE(tie);
+        INFO(first_violation(c));
+        CHECK(c.holds());
+        if (tie == 1e-2) CHECK(c.largest_impact_gap > 1e-4 * 0.4);
+    }
+}
+
 TEST_CASE("heaps that settle hold; impulses at gaps of contacts that closed long ago are refused", "[verify]")
 {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
