@@ -1,5 +1,6 @@
 /// \file
-/// Contacts that share bodies, at one instant: one description from the look around a body to the books of the run.
+/// Contacts at one instant, and the problem that contacts with bodies in common make. Every part of the engine
+/// describes a contact so.
 #pragma once
 
 #include "core/partner.hpp"
@@ -36,7 +37,7 @@ struct ContactProblem {
     std::vector<Contact> contacts;
 };
 
-/// c_i = n_i.(v_a - v_b), closing when negative, from one velocity for each body [length/time].
+/// The rate c_i = n_i.(v_a - v_b) of a contact, closing when negative, from one velocity for each body [length/time].
 inline double closing_rate(const Contact& contact, const std::vector<Vec3>& velocities)
 {
     const Vec3& a = velocities[static_cast<std::size_t>(contact.a)];

@@ -14,7 +14,7 @@ inline constexpr double projection_tolerance = 1e-13;
 /// Contacts that close slower than this part of the largest speed do not close (docs/impacts.md, section 3).
 inline constexpr double closing_tolerance = 1e-12;
 
-/// Half-spaces c_i >= 0 in the order of the contacts, start = the velocities.
+/// The projection problem of a cluster: half-spaces c_i >= 0 in the order of the contacts, start = the velocities.
 ProjectionProblem projection_problem(const ContactProblem& cluster);
 
 double largest_speed(std::span<const Vec3> velocities);

@@ -15,10 +15,10 @@ struct EqualisingChange {
         impulses;  ///< by contact, along the normal on a: they make the change (not always the only ones)
 };
 
-/// min sum m |d|^2 with n_i.(d_a - d_b) = wanted_i for all contacts, in the sense of least squares where contacts
-/// contradict one another (see shortest_change). Redundant contacts do no harm; work is bounded, and so is the change:
-/// no body goes further than 256 + 4 n times the largest that is wanted, n the number of contacts, as it would between
-/// contacts that nearly contradict.
+/// The changes d of bodies with the smallest sum m |d|^2 for which n_i.(d_a - d_b) = wanted_i for all contacts, in the
+/// sense of least squares where contacts contradict one another (see shortest_change). Redundant contacts do no harm;
+/// work is bounded, and so is the change: no body goes further than 256 + 4 n times the largest that is wanted, n the
+/// number of contacts, as it would between contacts that nearly contradict.
 EqualisingChange equalising_change(const ContactProblem& cluster, std::span<const double> wanted);
 
 }  // namespace carom
