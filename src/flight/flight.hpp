@@ -15,8 +15,8 @@ namespace carom {
 /// never compared.
 using AccelerationId = std::int32_t;
 
-/// The accelerations that occur in a run: none, gravity, gravity along each plane for what rests or slides on it, and
-/// for each body one of its own, for what several contacts push.
+/// The accelerations that occur in a run: none, gravity, gravity along each plane, for bodies that rest or slide on it,
+/// and one for each body, for bodies that several contacts hold.
 class Accelerations {
 public:
     explicit Accelerations(const Scene& scene);
@@ -59,7 +59,8 @@ inline Vec3 displacement(const Vec3& velocity, const Vec3& acceleration, double 
     return dt * (velocity + (0.5 * dt) * acceleration);
 }
 
-/// p_a - p_b of two places [length]. The cells cancel first, as whole numbers: nothing of a far origin is left.
+/// The separation p_a - p_b of two places [length]. The cells cancel first, as whole numbers: nothing of a far origin
+/// is left.
 inline Vec3 separation(const Frame& frame, const Place& a, const Place& b)
 {
     Vec3 r;

@@ -21,15 +21,15 @@ struct Frame {
     double epoch_length = 1;  ///< [time], a power of two
     double cell_size = 1;     ///< [length], a power of two
 
-    /// to - from [time]; relative error u, plus u times the offsets' difference. Infinite if `to` is never.
+    /// The time to - from [time]; relative error u, plus u times the offsets' difference. Infinite if `to` is never.
     double between(const EpochTime& from, const EpochTime& to) const
     {
         if (to.epoch == never.epoch) return std::numeric_limits<double>::infinity();
         return static_cast<double>(to.epoch - from.epoch) * epoch_length + (to.offset - from.offset);
     }
 
-    /// from + dt, dt >= 0; rounds to the resolution of an offset, u * epoch_length. Never if dt is infinite or beyond
-    /// 2^62 epochs.
+    /// The moment from + dt, dt >= 0; rounds to the resolution of an offset, u * epoch_length. Never if dt is infinite
+    /// or beyond 2^62 epochs.
     EpochTime after(const EpochTime& from, double dt) const
     {
         const double sum = from.offset + dt;
@@ -57,7 +57,7 @@ struct Place {
 
 /// The place of a position: exact, unless a coordinate is beyond 2^62 cells.
 Place place_at(const Frame& frame, const Vec3& position);
-/// Coordinate k of a place becomes `sum`, counted from its present cell [length].
+/// Coordinate k of a place becomes `sum`, counted from its present cell [length]; the cell follows.
 void put_into_cell(const Frame& frame, Place& place, int k, double sum);
 /// A place moved by a displacement [length], local coordinates back within a cell; rounds to u (|displacement| +
 /// cell_size).
