@@ -64,7 +64,7 @@ private:
 
     const Observer& observer_;
     EventHash hash_;
-    std::unordered_map<BodyId, EpochTime> accounted_;  ///< of forces_change, by body: when
+    std::unordered_map<BodyId, EpochTime> accounted_;  ///< by body: when forces_change was called last
 };
 
 }  // namespace carom

@@ -18,7 +18,8 @@ Event make_event(const State& state, EventKind kind, BodyId a, Partner b, const 
 /// \returns whether it was an event of one contact alone, not of a component
 bool resolve(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out);
 
-/// Contacts that the scene declares: those that close have their impact at once, the others take hold.
+/// Outcomes of the contacts that the scene declares: contacts that close have their impact at once, the others take
+/// hold.
 std::vector<EventOutcome> begin_components(const State& state);
 
 }  // namespace carom

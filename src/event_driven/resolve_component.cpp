@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    /// Impacts, if something closes.
+    /// Resolves impacts, if something closes.
     void collide()
     {
         ContactProblem cluster = component_.problem;
@@ -79,8 +79,9 @@ private:
                                        [](const Vec3& impulse) { return !impulse.isZero(0); }) > 1;
     }
 
-    /// Restitution as the rest policy has it. Policy contact: e := 0: for all contacts if every closing is slower than
-    /// v_c, otherwise for those that closed a moment ago. Never where all e = 1.
+    /// Restitutions as the rest policy has them (docs/impacts.md, section 4). Policy contact makes e = 0, never where
+    /// all e = 1: for all contacts if every closing is slower than v_c, otherwise for contacts that closed less than
+    /// tau_p ago.
     /// \returns whether something was made inelastic
     bool apply_policy(ContactProblem& cluster) const
     {

@@ -7,8 +7,8 @@
 
 namespace carom {
 
-/// \returns false if the event is not one of this contact alone: it is one for resolve_component, and what `out` has
-/// got is of no use
+/// Resolves the impact of a contact alone. \returns false if the event is not one of this contact alone but one for
+/// resolve_component; then `out` is of no use
 bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out);
 bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out);
 

@@ -75,7 +75,7 @@ private:
         for (const EventOutcome& component : components)
             if (component.events.empty()) commit(component);
         for (BodyId i = 0; i < state_.count(); ++i) ledger_.show_flight(state_, i);
-        // Components that close have their impacts then, from flights that the observer has seen.
+        // Components with impacts have them after that, from flights that the observer has seen.
         for (const EventOutcome& component : components) {
             if (component.events.empty()) continue;
             commit(component);
@@ -162,7 +162,7 @@ private:
         return limits();
     }
 
-    /// The one place where motions change.
+    /// Carries an outcome into the state and the books: the one place where motions change.
     void commit(const EventOutcome& outcome)
     {
         hit_.clear();
