@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// The instant of one contact. Runs of doubles count as one what is closed within the tie (State::tie); certified runs
-/// only what closes at the same time, so far as double-double can tell.
+/// The instant of one contact. Runs of doubles count contacts that are closed within the tie (State::tie) as one
+/// instant; certified runs only contacts that close at the same time, as far as double-double can tell.
 class ContactInstant {
 public:
     ContactInstant(const State& state, const Key& contact) : state_(state), contact_(contact) {}
