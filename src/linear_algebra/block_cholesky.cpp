@@ -120,7 +120,7 @@ void BlockCholesky::update(const Column& column, double sign)
         w[at(place[at(*column.b)])] = column.second;
         j = std::min(j, place[at(*column.b)]);
     }
-    // Along the path to the root of the elimination tree, a scalar column after the other.
+    // The update goes along the path to the root of the elimination tree, a scalar column after the other.
     while (j >= 0) {
         const int first = begin[at(j)], last = begin[at(j) + 1];
         Block& pivot = blocks_[at(first)];

@@ -24,14 +24,14 @@ public:
     /// \param edges pairs of different blocks that may be coupled, each once
     BlockCholesky(int blocks, const std::vector<std::pair<int, int>>& edges);
 
-    /// c c^T is added to the matrix, c = (first at block a, second at block b, if there is one).
+    /// A term c c^T of the matrix, c = (first at block a, second at block b, if there is one).
     struct Column {
         int a = 0;
         std::optional<int> b;
         Vector first{}, second{};
     };
 
-    /// I + sum of all columns. \pre a column's pair of blocks is an edge
+    /// Factors the unit matrix plus the terms of all columns. \pre a column's pair of blocks is an edge
     void factor(std::span<const Column> columns);
     /// The factor of the matrix plus (sign +1) or minus (-1) c c^T. \pre what is left is positive definite
     void update(const Column& column, double sign);

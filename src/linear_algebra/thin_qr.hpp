@@ -26,11 +26,11 @@ public:
     };
     Split split(std::span<const double> column) const;
 
-    /// \pre residual_norm2 > 0, and no column came or went since the split
+    /// Appends a column. \pre residual_norm2 > 0, and no column came or went since the split
     void append(const Split& column);
     void remove(int column);
 
-    /// (A^T A)^-1 b
+    /// The product (A^T A)^-1 b.
     std::vector<double> solve_normal(std::span<const double> b) const;
 
 private:
