@@ -10,8 +10,8 @@
 
 namespace carom {
 
-/// The factor of I + sum a_i a_i^T / epsilon over the active ones among unit normals a_i. Dependent ones need no care:
-/// it is the unit matrix and more.
+/// The factor of I + sum a_i a_i^T / epsilon over the active ones among unit normals a_i. Dependent normals need no
+/// care: the matrix is the unit matrix and more.
 class ActiveFactor {
 public:
     /// \param vectors their number \param normals sparsity is that of all, active or not; they outlive this

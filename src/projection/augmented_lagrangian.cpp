@@ -82,8 +82,8 @@ private:
         return true;
     }
 
-    /// min over y of |y|^2 / 2 + epsilon/2 sum max(0, t_i)^2, t_i = multiplier_i - slack_i / epsilon; multipliers <-
-    /// the positive t_i. \returns whether the minimum was reached
+    /// Minimises |y|^2 / 2 + epsilon/2 sum max(0, t_i)^2 over y, t_i = multiplier_i - slack_i / epsilon; the
+    /// multipliers become the positive t_i. \returns whether the minimum was reached
     bool minimise()
     {
         const double epsilon = factor_.epsilon();

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// L D L^T of (a_i . a_j), a_i unit normals. For some hundred at most.
+/// Factors L D L^T of the matrix (a_i . a_j), a_i unit normals. For some hundred at most.
 class DenseProducts {
 public:
     /// \param normals outlive this
@@ -23,7 +23,7 @@ public:
     /// \pre follow returned true
     std::vector<double> multipliers(std::span<const double> wanted) const;
 
-    static constexpr int refinements = dense_refinements;  ///< what multipliers leave is worth asking for so often
+    static constexpr int refinements = dense_refinements;  ///< rounds of asking again for what multipliers leave
 
 private:
     double product(std::size_t k, std::size_t l) const;

@@ -9,8 +9,8 @@ namespace carom {
 
 namespace {
 
-/// Step (numbers and names are the paper's) of the dual method on unit normals; y is the way from the start in the
-/// metric's own coordinates x_k / sqrt(w_k).
+/// The dual method on unit normals; numbers of steps and names are those of the paper. y is the way from the start in
+/// the metric's own coordinates x_k / sqrt(w_k).
 class DualActiveSet {
 public:
     DualActiveSet(const ProjectionProblem& problem, const DualActiveSetOptions& options)
@@ -71,7 +71,7 @@ private:
         return start_slack_[static_cast<std::size_t>(i)] + moved / length_[static_cast<std::size_t>(i)];
     }
 
-    /// Step 1.
+    /// Step 1: the half-space to become active.
     std::optional<int> most_violated() const
     {
         std::optional<int> worst;
@@ -172,7 +172,7 @@ private:
         out_.projection.complete = false;
     }
 
-    /// The point anew from the multipliers, and these corrected until the slacks that it really has are zero.
+    /// Computes the point anew from the multipliers, and corrects these until the slacks that it really has are zero.
     void refine()
     {
         Projection& result = out_.projection;

@@ -25,8 +25,8 @@ struct DualActiveSetOptions {
 };
 
 /// Goldfarb and Idnani, A numerically stable dual method for solving strictly convex quadratic programs, Mathematical
-/// Programming 27 (1983), https://doi.org/10.1007/BF02591962, with the factors of Daniel et al. (ThinQr). Ours: the
-/// final refinement against the slacks of the point itself, and the bound on steps.
+/// Programming 27 (1983), https://doi.org/10.1007/BF02591962, with the factors of Daniel et al. (ThinQr). This
+/// project's: the final refinement against the slacks of the point itself, and the bound on steps.
 DualActiveSetResult dual_active_set(const ProjectionProblem& problem, const DualActiveSetOptions& options = {});
 
 }  // namespace carom

@@ -11,7 +11,7 @@
 
 namespace carom {
 
-/// n.(x_a - x_b) + offset >= 0, or n.x_a + offset >= 0 without b.
+/// The half-space n.(x_a - x_b) + offset >= 0, or n.x_a + offset >= 0 without b.
 struct HalfSpace {
     int a = 0;
     std::optional<int> b;
@@ -32,7 +32,7 @@ inline double normal_length2(const HalfSpace& h, std::span<const double> w)
     return w[static_cast<std::size_t>(h.a)] + (h.b ? w[static_cast<std::size_t>(*h.b)] : 0);
 }
 
-/// x moved by `multiplier` along the half-space's normal in that metric.
+/// Moves x by `multiplier` along the half-space's normal in that metric.
 inline void push(const HalfSpace& h, std::span<const double> w, double multiplier, std::span<Vec3> x)
 {
     x[static_cast<std::size_t>(h.a)] += (w[static_cast<std::size_t>(h.a)] * multiplier) * h.normal;

@@ -6,6 +6,7 @@
 
 namespace carom {
 
+/// The step to the minimum along a line.
 /// \param y, direction the line y + tau direction
 /// \param t at y; along the line t_i - tau rate_i / epsilon
 /// \returns tau >= 0 of the minimum

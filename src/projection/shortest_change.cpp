@@ -120,8 +120,8 @@ private:
         return out;
     }
 
-    /// A (epsilon I + A^T A)^-2 A^T r, A = (a_1 a_2 ...)^T. One inverse would do, but not without numbers of the size
-    /// of what cannot be mended over epsilon.
+    /// The step A (epsilon I + A^T A)^-2 A^T r for the residual r, A = (a_1 a_2 ...)^T. One inverse would do, but not
+    /// without numbers of the size of what cannot be mended over epsilon.
     Step preconditioned(const UnitVectors& gradient, const Numbers& residual) const
     {
         if (!options_.factor) return {gradient, residual};

@@ -27,7 +27,8 @@ public:
         return true;
     }
 
-    /// (epsilon I + A A^T)^-1 wanted = (wanted - A (epsilon I + A^T A)^-1 A^T wanted) / epsilon, A = (a_1 a_2 ...)^T
+    /// The multipliers (epsilon I + A A^T)^-1 wanted = (wanted - A (epsilon I + A^T A)^-1 A^T wanted) / epsilon, A =
+    /// (a_1 a_2 ...)^T
     std::vector<double> multipliers(std::span<const double> wanted) const
     {
         UnitVectors y(vectors_, BlockCholesky::Vector{});

@@ -10,7 +10,7 @@ namespace carom {
 
 using UnitVectors = std::vector<BlockCholesky::Vector>;
 
-/// A half-space's normal: of length 1, not zero in the blocks of at most two vectors.
+/// The normal of a half-space, of length 1, with entries for at most two vectors.
 struct UnitNormal : BlockCholesky::Column {
     double length = 1;  ///< before it was made 1
 
@@ -34,7 +34,7 @@ struct UnitNormal : BlockCholesky::Column {
         return b ? at_a + part(second, y[static_cast<std::size_t>(*b)]) : at_a;
     }
 
-    /// y += factor times this
+    /// Adds `factor` times the normal to y.
     void add_to(UnitVectors& y, double factor) const
     {
         for (std::size_t k = 0; k < 3; ++k) y[static_cast<std::size_t>(a)][k] += factor * first[k];
