@@ -7,8 +7,8 @@
 
 namespace carom {
 
-/// n.x - d of a plane: a dot product in twice the working precision (Ogita, Rump, Oishi, SIAM J. Sci. Comput. 26
-/// (2005), Dot2) [length].
+/// The height n.x - d of a point above a plane: a dot product in twice the working precision (Ogita, Rump, Oishi, SIAM
+/// J. Sci. Comput. 26 (2005), Dot2) [length].
 inline Sum signed_height(const Frame& frame, const Vec3& normal, double offset, const Place& place)
 {
     Sum sum{-offset, 0};

@@ -13,8 +13,8 @@ namespace carom {
 struct ContactTime {
     bool comes = false;
     EpochTime time = never;  ///< `never` also where it is certainly after the limit of the question
-    /// A moment certainly before the contact, by roundings at most, at which the gap is still >= 0. The contact itself
-    /// is to be asked for: `exact_time`.
+    /// Whether `time` is not that of the contact but a moment certainly before it, by roundings at most, at which the
+    /// gap is still >= 0. The contact itself is to be asked for: `exact_time`.
     bool rough = false;
     bool swept = false;  ///< of the ball that a series sweeps
 };

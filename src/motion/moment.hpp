@@ -18,7 +18,7 @@ struct NumericPiece {
     Place centre{};  ///< to which the cluster's positions are relative
 };
 
-/// The bodies of a run at one time. Those within a numeric step are as the cluster has them, more exact than the
+/// The bodies of a run at one time. Bodies within a numeric step are as the cluster has them, more exact than the
 /// parabola that stands for the piece and that bodies outside the cluster see (`advanced`). Each cluster is evaluated
 /// once.
 class Moment {

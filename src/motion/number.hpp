@@ -50,7 +50,7 @@ Real product(double a, double b)
         return Real(a) * Real(b);
 }
 
-/// to - from [time].
+/// The time to - from [time].
 template <class Real>
 Real elapsed(const Frame& frame, const EpochTime& from, const EpochTime& to)
 {
@@ -61,7 +61,8 @@ Real elapsed(const Frame& frame, const EpochTime& from, const EpochTime& to)
                difference<Real>(to.offset, from.offset);
 }
 
-/// p_a - p_b [length]. The cells cancel first, as whole numbers: nothing of a far origin is left.
+/// The separation p_a - p_b of two places [length]. The cells cancel first, as whole numbers: nothing of a far origin
+/// is left.
 template <class Real>
 Triple<Real> separation(const Frame& frame, const Place& a, const Place& b)
 {
@@ -74,7 +75,7 @@ Triple<Real> separation(const Frame& frame, const Place& a, const Place& b)
     return out;
 }
 
-/// Component by component, without roundings of their own but those of the type.
+/// The difference of two vectors, component by component, with the roundings of the type alone.
 template <class Real>
 Triple<Real> difference(const Vec3& a, const Vec3& b)
 {
@@ -83,7 +84,7 @@ Triple<Real> difference(const Vec3& a, const Vec3& b)
     return out;
 }
 
-/// A coordinate of the way that a flight goes in a time [length], and of its velocity after it [length/time].
+/// A coordinate of a flight's displacement in a time [length], and of its velocity after it [length/time].
 template <class Real>
 Real displacement(double velocity, double acceleration, const Real& dt)
 {

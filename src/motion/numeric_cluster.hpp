@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// Positions are relative to a point near the cluster.
+/// A body of a cluster. Its position is relative to a point near the cluster.
 struct NumericBody {
     Vec3 position = Vec3::Zero();  ///< [length]
     Vec3 velocity = Vec3::Zero();  ///< [length/time]
@@ -51,7 +51,8 @@ struct NumericStep {
     /// to be left out, and the step to be made anew.
     std::vector<std::size_t> opened;
 };
-/// \param h > 0 [time]. The first moment at which a contact opens is found by false position.
+/// The step that the cluster makes. The first moment at which a contact opens is found by false position. \param h > 0,
+/// its length at most [time]
 NumericStep numeric_step(const NumericCluster& cluster, double h);
 
 /// The cluster within its step: velocities by Hermite's cubic through velocities and accelerations at both ends, exact
@@ -59,7 +60,7 @@ NumericStep numeric_step(const NumericCluster& cluster, double h);
 /// Differential Equations I, section II.6; places at both ends would be divided by h, which may be as short as
 /// rounding); contacts that carry put back as at the end. \param t from 0 to the duration [time]
 std::vector<NumericBody> within_step(const NumericCluster& cluster, const NumericStep& step, double t);
-/// One of its bodies, before anything is put back.
+/// One body within the step, before gaps and rates are put back.
 NumericBody within_step(const NumericCluster& cluster, const NumericStep& step, std::size_t body, double t);
 
 }  // namespace carom

@@ -75,7 +75,7 @@ public:
     EpochTime from{};
 
 private:
-    /// See ExactSphere of toi/level_1.hpp.
+    /// Exact values for solve_level_1, as those of ExactSphere in toi/level_1.hpp.
     struct Exactly {
         static constexpr bool available = true;
         const PairQuery& pair;

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// Two flights at the later of their starts.
+/// The relative motion of two flights, at the later of their starts.
 template <class Real>
 struct Relative {
     EpochTime from{};
@@ -43,7 +43,7 @@ Relative<Real> relative_motion(const State& state, const Flight& a, const Flight
     return out;
 }
 
-/// A sphere on a flight: its own of the state, or one that is being tried.
+/// A sphere on a flight, which is that of the state or one on trial.
 struct Moving {
     BodyId body;
     const Flight& flight;
@@ -55,7 +55,7 @@ inline Moving moving(const State& state, BodyId body)
     return {body, state.flight(body), bounces ? state.bodies.as<Bouncing>(body) : nullptr};
 }
 
-/// A sphere in a series stands for the ball that its bounces sweep.
+/// The relative motion of two spheres. A sphere in a series stands for the ball that its bounces sweep.
 struct PairMotion : Relative<double> {
     AccelerationId acceleration_a = Accelerations::none, acceleration_b = Accelerations::none;
     double contact_distance = 0;  ///< S [length]

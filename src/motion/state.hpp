@@ -24,10 +24,9 @@ struct State {
     const ContactLaws laws;
     const RestThresholds rest;
     const bool loses_energy;  ///< some e < 1
-    /// v_c tau_p / 4, the height of a rebound of v_c that lasts tau_p: smaller gaps are closed as far as impacts are
-    /// concerned where a contact closed less than tau_p ago (this project; without it they close one after the other,
-    /// ever again, as Gauss and Seidel would have it). 0 where all e = 1 or policy contact does not hold, and in
-    /// certified runs [length].
+    /// Gap up to which a contact that closed less than tau_p ago counts as closed when another one closes [length]: v_c
+    /// tau_p / 4, the height of a rebound of v_c (this project; without it the contacts of a cluster close one after
+    /// the other without end). 0 where all e = 1, under other policies than contact, and in certified runs.
     const double rebound_gap;
 
     Bodies bodies;
@@ -62,7 +61,7 @@ struct State {
                              : laws.plane(material, plane(b.index).material);
     }
 
-    /// A partner as events name it, and back.
+    /// The number of a partner in events, and the partner with a number.
     BodyId body_of(Partner partner) const { return partner.is_sphere() ? partner.index : count() + partner.index; }
     Partner partner_of(BodyId body) const
     {
