@@ -16,7 +16,7 @@ inline std::string to_text(double x)
     return {buffer.data(), end};
 }
 
-/// `x` to `digits` significant digits, for sizes that people only need roughly.
+/// The text of `x` to `digits` significant digits, for sizes that people need roughly.
 inline std::string to_text(double x, int digits)
 {
     std::array<char, 64> buffer{};
