@@ -1,15 +1,16 @@
 /// \file
-/// How deep two bodies overlap at t = 0. An overlap is none by the sign of exact arithmetic, as everywhere in `toi`.
+/// Depth of the overlap of two bodies at t = 0. Whether they overlap is decided by exact arithmetic, as everywhere in
+/// `toi`.
 #pragma once
 
 #include <carom/time_of_impact.hpp>
 
 namespace carom {
 
-/// Of two spheres, to rounding; 0 if the exact gap is >= 0 [length]. \pre as `time_of_impact`
+/// Depth for two spheres, to rounding; 0 if the exact gap is >= 0 [length]. \pre as `time_of_impact`
 double overlap_depth(const MovingSphere& a, const MovingSphere& b);
 
-/// Of a sphere and a plane or plate. \pre as `time_of_impact`
+/// Depth for a sphere and a plane or plate, likewise [length]. \pre as `time_of_impact`
 double overlap_depth(const MovingSphere& sphere, const Plane& plane);
 
 }  // namespace carom
