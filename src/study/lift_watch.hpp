@@ -1,5 +1,5 @@
 /// \file
-/// Who is lifted out of a plane in which the scene lets it begin.
+/// Spheres that are lifted out of a plane in which the scene lets them begin.
 #pragma once
 
 #include <carom/flight.hpp>
@@ -14,7 +14,7 @@ class LiftWatch {
 public:
     explicit LiftWatch(const Scene& scene);
 
-    /// Whether there is anybody to watch; otherwise the other functions need not be called.
+    /// Whether there is a sphere to watch; otherwise the other functions need not be called.
     bool has_work() const { return !watched_.empty(); }
     void on_frame(const RunFrame& frame);
     void on_flight(const FlightRecord& flight);
