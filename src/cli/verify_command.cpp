@@ -72,9 +72,8 @@ int do_verify(const VerifyArguments& args, const GlobalArguments& global, const 
     ProgressLine progress(console, global);
     VerifyOptions options;
     options.all_pairs = args.all_pairs;
-    const double end = recording.run().end ? recording.run().end->time : 0;
-    options.on_progress = [&](double time) {
-        progress.show(fmt::format("t = {:.4g}", time), end > 0 ? time / end : 0);
+    options.on_progress = [&](const Progress& now) {
+        progress.show(now.what, now.fraction, now.amount, now.unit);
         return !guard.interrupted();
     };
     const Certificate certificate = verify(recording, options);
