@@ -35,7 +35,7 @@ public:
         // is accepted.
         constexpr std::int64_t most_for_a_scene = 100, most_for_a_sphere = 10;
         std::int64_t left = most_for_a_scene + most_for_a_sphere * static_cast<std::int64_t>(system.bodies.size());
-        while (!queue_.empty()) {
+        while (!queue_.empty() && system.patience.lasts_for(1)) {
             Pending next = pop();
             settling_ = left <= 0;
             if (!settling_ && next.stamp != stamp(system, next.a, next.b)) continue;

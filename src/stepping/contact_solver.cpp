@@ -7,7 +7,7 @@
 
 namespace carom::stepping {
 
-int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps)
+int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps, Patience& patience)
 {
     constexpr double rounding = 1e-13;  // some hundred units in the last place: what sums of impulses leave
     double largest = 0;                 // lacking velocity met so far
@@ -24,7 +24,7 @@ int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps)
             largest = std::max(largest, lacking);
             change = std::max(change, std::abs(added / mass));
         }
-        if (change <= rounding * largest) return sweep;
+        if (change <= rounding * largest || !patience.lasts_for(rows.size())) return sweep;
     }
     return sweeps;
 }
