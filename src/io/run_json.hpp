@@ -2,6 +2,8 @@
 /// The result of one run as JSON, format carom-run/1 (CONTRACT section 4).
 #pragma once
 
+#include "io/command_facts.hpp"
+
 #include <carom/study.hpp>
 
 #include <string>
@@ -12,6 +14,7 @@ inline constexpr std::size_t max_final_spheres = 1000;
 
 struct RunJsonOptions {
     bool always_final = false;  ///< write `final` for more than `max_final_spheres` too
+    CommandFacts command = {};  ///< the run is a part of
 };
 
 /// One JSON object, indented, with its last line end. What is not finite is null.
