@@ -49,7 +49,7 @@ public:
         ahead_.clear();
         solve(system, substep.length);
         for (int round = 1; look_ahead_ && round < sweeps_ && join_ahead(system, substep.length); ++round) {
-            if (system.patience.ended()) break;
+            if (!system.patience.lasts_for(system.bodies.size())) break;
             system.bodies.velocity = free_;
             solve(system, substep.length);
         }

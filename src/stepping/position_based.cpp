@@ -27,7 +27,7 @@ public:
             between_spheres(system, substep, respond_now);  // B
             find_walls_again(system, pass == 0);
             at_walls(system, substep, respond_now);  // C
-            system.patience.lasts_for(pairs_.size() + walls_.size());
+            system.patience.lasts_for(system.bodies.size() + pairs_.size() + walls_.size());
         }
     }
 

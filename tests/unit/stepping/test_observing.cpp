@@ -158,6 +158,13 @@ TEST_CASE("A substep of many passes is left when the run is to stop", "[stepping
         CHECK(outcome.counts.steps == 1);
         CHECK(outcome.final.size() == row.size());
     }
+    // Passes that find nothing take time as well.
+    StepOptions options = steps(1e-3);
+    options.passes = most;
+    RunOptions limited = until(1);
+    limited.max_seconds = 0.05;
+    const Scene apart = scene_of({ball(0.1, Vec3(0, 0, 0)), ball(0.1, Vec3(1, 0, 0))});
+    CHECK(simulate(apart, make_method("pbd", options), limited).status == Status::time_limit);
 }
 
 TEST_CASE("A position that is no longer finite ends the run and is named", "[stepping]")
