@@ -32,6 +32,9 @@ CROWD = {"format": "carom-scene/1", "end_time": 1, "box": {"min": [0, 0, 0], "ma
                   {"pattern": "random", "count": 2000000, "radius": 0.02, "speed": 1}]}
 
 
+SILENCE = os.pipe()  # nobody ever writes into it, nor closes it
+
+
 def command(*args):
     return [CAROM, *args]
 
@@ -45,7 +48,7 @@ def listens(process):
 
 def interrupted(args):
     """Exit code and seconds from the signal to the end."""
-    process = subprocess.Popen(args, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    process = subprocess.Popen(args, stdin=SILENCE[0], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     while process.poll() is None and not listens(process):
         time.sleep(0.01)
     time.sleep(AFTER)
@@ -59,7 +62,8 @@ def interrupted(args):
 def limited(args):
     """Exit code and seconds beyond the limit."""
     start = time.monotonic()
-    done = subprocess.run([*args, "--max-seconds", str(LIMIT)], capture_output=True, timeout=10 * BOUND)
+    done = subprocess.run([*args, "--max-seconds", str(LIMIT)], stdin=SILENCE[0], capture_output=True,
+                          timeout=10 * BOUND)
     return done.returncode, time.monotonic() - start - LIMIT, done.stdout.decode(), done.stderr.decode()
 
 
@@ -118,6 +122,7 @@ def main():
         # What a command does, whether it has a result when it is stopped, and how it says that it was stopped.
         tasks = {
             "read": (command("run", crowd, "--json"), None),
+            "read a pipe": (command("check", "/dev/stdin", "--json"), None),
             "run": (command("run", gas, "--json", "-o", out, "--events", os.path.join(work, "events.csv")), "status"),
             "run pbd": (command("run", gas, "--json", "--method", "pbd", "-o", out), "status"),
             "run moreau": (command("run", gas, "--json", "--method", "moreau", "-o", out), "status"),
