@@ -10,6 +10,7 @@ import glob
 import json
 import os
 import pty
+import select
 import signal
 import sqlite3
 import subprocess
@@ -86,22 +87,23 @@ def check_files(folder):
         assert not name.endswith(".part"), name
 
 
-def progress(args):
-    """What a command writes to a terminal in two seconds and a half."""
+def progress(args, words, seconds):
+    """What a command writes to a terminal until all these words are there, or so many seconds are over."""
     terminal, end = pty.openpty()
     process = subprocess.Popen(args, stdout=subprocess.DEVNULL, stderr=end)
     os.close(end)
-    time.sleep(2.5)
+    text, start = "", time.monotonic()
+    while time.monotonic() < start + seconds and not all(word in text for word in words):
+        if not select.select([terminal], [], [], 0.1)[0]:
+            continue
+        try:
+            text += os.read(terminal, 65536).decode()
+        except OSError:  # the command is done
+            break
     process.send_signal(signal.SIGINT)
-    text = b""
-    try:
-        while chunk := os.read(terminal, 65536):
-            text += chunk
-    except OSError:  # nobody writes any more
-        pass
     process.wait()
     os.close(terminal)
-    return text.decode()
+    return text
 
 
 def main():
@@ -160,10 +162,14 @@ def main():
                                   ("verify", command("verify", recording, "--all-pairs"), ("flights: ", " %"))):
             if WANTED and name not in WANTED:
                 continue
-            for more, shown in (([], True), (["--no-progress"], False), (["-q"], False)):
-                text = progress([*args, *more])
-                if any((word in text) != shown for word in words):
-                    wrong.append(f"{name} {more}: progress {text[-300:]!r}")
+            text = progress(args, words, BOUND)
+            if not all(word in text for word in words):
+                wrong.append(f"{name}: progress {text[-300:]!r}")
+        for option in ("--no-progress", "-q"):
+            # Long enough for a line that comes after a second.
+            text = progress(command("run", gas, option), ("run: t = ",), 1.5)
+            if text:
+                wrong.append(f"run {option}: progress {text[-300:]!r}")
         for problem in wrong:
             print(problem)
         return 1 if wrong else 0
