@@ -8,6 +8,7 @@
 #include <carom/features.hpp>        // IWYU pragma: export
 #include <carom/flight.hpp>          // IWYU pragma: export
 #include <carom/method.hpp>          // IWYU pragma: export
+#include <carom/progress.hpp>        // IWYU pragma: export
 #include <carom/response.hpp>        // IWYU pragma: export
 #include <carom/scene.hpp>           // IWYU pragma: export
 #include <carom/simulate.hpp>        // IWYU pragma: export

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <carom/error.hpp>
+#include <carom/progress.hpp>
 #include <carom/scene.hpp>
 #include <carom/simulate.hpp>
 #include <carom/verify.hpp>
@@ -23,12 +24,13 @@ struct ReadOptions {
     std::optional<std::uint64_t> seed;  ///< in place of the scene's
     /// "/pointer=value", applied in this order to the document before it is read: a JSON value, or else a bare string.
     std::vector<std::string> set{};
+    OnProgress on_progress{};  ///< false stops the reading: Stopped is thrown
 };
 
 /// The scene of a file (format carom-scene/1), expanded and validated. Numbers are those of the file, units are the
 /// scene's.
 /// \throws InputError with every problem found: "FILE: JSON-POINTER: what is wrong (the cure)"; syntax: "FILE:LINE:COL:
-/// ..."; likewise if the file cannot be read. \post the scene is valid (`validate`).
+/// ..."; likewise if the file cannot be read; Stopped by `on_progress`. \post the scene is valid (`validate`).
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// The same for text in memory, UTF-8; `file` is used in messages only.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <carom/metrics.hpp>
+#include <carom/progress.hpp>
 #include <carom/simulate.hpp>
 
 #include <array>
@@ -55,12 +56,6 @@ struct RunStudy {
 /// \pre as `simulate`; intervals >= 1. Nothing is thrown but what the functions of the options throw.
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options = {});
 
-/// Progress of a comparison.
-struct CompareProgress {
-    std::string what;     ///< "reference", "pbd dt 1/240", ...
-    double fraction = 0;  ///< of all rows, in [0, 1]
-};
-
 struct CompareOptions {
     std::vector<std::string> methods;         ///< as `make_method`; duplicates are run twice
     std::vector<double> dt;                   ///< > 0, for discrete methods [time]
@@ -71,7 +66,7 @@ struct CompareOptions {
     double repeat_seconds = 5;                ///< fewer repeats where they would take longer than this for one row [s]
     std::optional<double> tolerance;  ///< position error that the verdict asks for [length]; none: `default_tolerance`
     std::size_t intervals = study_intervals;
-    std::function<bool(const CompareProgress&)> on_progress;  ///< may be empty; false interrupts
+    OnProgress on_progress;  ///< stages "reference: ...", "reference", "methods"; false interrupts
 };
 
 /// An impact of the reference that a method missed, or one of the method's that never was.

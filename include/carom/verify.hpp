@@ -5,9 +5,9 @@
 
 #include <carom/event.hpp>
 #include <carom/flight.hpp>
+#include <carom/progress.hpp>
 #include <carom/scene.hpp>
 
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -98,7 +98,8 @@ struct Violation {
 struct Certificate {
     std::int64_t spheres = 0, planes = 0, events = 0, flights = 0;
     double until = 0;           ///< examined up to here [time]
-    bool complete = false;      ///< false: the recording was cut off at `until`
+    bool complete = false;      ///< false: the recording was cut off at `until`, or the examination stopped there
+    bool stopped = false;       ///< the examination was stopped on request: nothing is said of what came after `until`
     bool certified = false;     ///< the run claimed double-double flights and was held to that
     std::int64_t pairs = 0;     ///< pairs of spheres and of spheres and planes, all of them covered
     std::int64_t segments = 0;  ///< time intervals of pairs that came near enough to be examined one by one
@@ -129,14 +130,14 @@ struct Certificate {
     std::int64_t violated = 0;          ///< how many violations were found
     std::vector<Violation> violations;  ///< the first of them
 
+    /// Whether nothing wrong was found; up to `until`.
     bool holds() const { return violated == 0; }
 };
 
 struct VerifyOptions {
-    bool all_pairs = false;                        ///< examine all pairs without a grid: slow, for tests
-    std::size_t most_violations = 20;              ///< to list
-    std::function<bool(double time)> on_progress;  ///< may be empty; called now and then with the time reached; false
-                                                   ///< ends the examination there
+    bool all_pairs = false;            ///< examine all pairs without a grid: slow, for tests
+    std::size_t most_violations = 20;  ///< to list
+    OnProgress on_progress;  ///< stages "initial overlaps", "flights", "last flights"; false stops the examination
 };
 
 /// The certificate of a recorded run. Memory: at most 400 bytes a sphere beside the stream. \throws what the source

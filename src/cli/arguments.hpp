@@ -30,13 +30,14 @@ struct RunArguments {
 
 struct CompareArguments {
     std::string scene;
-    GivenOptions given;  ///< methods, dt, substeps, passes, order, literal, until, repeats, tolerance
+    GivenOptions given;  ///< methods, dt, substeps, passes, order, literal, until, repeats, tolerance, max_seconds
     bool allow_overlap = false;
     std::vector<std::string> set;  ///< "/pointer=value"
     std::string out;               ///< folder; empty: out/compare-NAME
 };
 
 struct CheckArguments {
+    GivenOptions given;  ///< max_seconds
     std::vector<std::string> scenes;
     bool allow_overlap = false;
     std::vector<std::string> set;  ///< "/pointer=value", of every scene
@@ -50,17 +51,19 @@ struct ExplainArguments {
 };
 
 struct StressArguments {
-    GivenOptions given;  ///< methods
+    GivenOptions given;  ///< methods, max_seconds
     std::string only;    ///< name of a case; empty: all
     std::string out;     ///< folder for stress.csv and stress.json; may be empty
 };
 
 struct VerifyArguments {
+    GivenOptions given;      ///< max_seconds
     std::string run;         ///< folder of a run, or its recording
     bool all_pairs = false;  ///< without the grid
 };
 
 struct ReportArguments {
+    GivenOptions given;  ///< max_seconds
     std::vector<std::string> folders;
     std::string out;  ///< HTML file; empty: FOLDER/report.html for one folder, out/report.html for several
 };

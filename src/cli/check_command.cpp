@@ -1,8 +1,7 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/notes.hpp"
-#include "cli/progress.hpp"
+#include "cli/session.hpp"
 #include "cli/tables.hpp"
 #include "io/check_json.hpp"
 
@@ -23,12 +22,12 @@ struct Task {
     Scene scene;
 };
 
-std::vector<Task> read_all(const CheckArguments& args, const GlobalArguments& global)
+std::vector<Task> read_all(const CheckArguments& args, Session& session)
 {
     std::vector<Task> tasks;
     for (const std::string& each : args.scenes) {
         const std::filesystem::path file = find_scene(each, scene_folder());
-        tasks.push_back({file, read_with_options(file, args.allow_overlap, args.set, global)});
+        tasks.push_back({file, session.read(file, args.allow_overlap, args.set)});
     }
     return tasks;
 }
@@ -45,6 +44,13 @@ void expect_checks(const std::vector<Task>& tasks)
     if (!problems.empty()) throw InputError(problems);
 }
 
+double engine_seconds(const std::vector<io::CheckedScene>& checked)
+{
+    double sum = 0;
+    for (const io::CheckedScene& each : checked) sum += each.report.run.study.cpu_seconds;
+    return sum;
+}
+
 /// A failed check says more than a run that ended early, and that more than one which went to its end.
 int worse(int a, int b)
 {
@@ -58,20 +64,21 @@ int worse(int a, int b)
 
 int do_check(const CheckArguments& args, const GlobalArguments& global, const Console& console)
 {
-    const std::vector<Task> tasks = read_all(args, global);
+    Session session(args.given, global, console);
+    const std::vector<Task> tasks = read_all(args, session);
     expect_checks(tasks);
-    const InterruptGuard guard;
-    ProgressLine progress(console, global);
     std::vector<io::CheckedScene> checked;
     int code = exit_ok;
     for (const Task& task : tasks) {
-        const CheckReport report = check_scene(task.scene, [&](double time) {
-            progress.show(task.file.stem().string(), time / task.scene.end_time);
-            return !guard.interrupted();
-        });
-        progress.clear();
-        const Outcome& outcome = report.run.study.outcome;
-        if (outcome.status == Status::interrupted) return exit_interrupted;
+        if (!session.watch.keep_going()) break;
+        CheckReport report =
+            check_scene(task.scene, session.on_time(task.file.stem().string(), task.scene.end_time, task.scene));
+        session.progress.clear();
+        Outcome& outcome = report.run.study.outcome;
+        if (session.watch.ended()) {
+            session.watch.name_reason(outcome);
+            report.results = evaluate_checks(task.scene, report.run);
+        }
         code = worse(code, report.any_fails() ? static_cast<int>(exit_check_failed) : exit_code(outcome.status));
         if (!global.json) console.out << check_table(task.scene, task.file.stem().string(), report);
         if (outcome.status != Status::reached_end && !global.quiet)
@@ -83,7 +90,15 @@ int do_check(const CheckArguments& args, const GlobalArguments& global, const Co
                 print_note(console, task.file.string() + ": " + each);
         checked.push_back({task.file.stem().string(), task.scene.name, report});
     }
-    if (global.json) console.out << io::check_json(checked);
+    const io::CommandFacts facts = session.watch.facts();
+    if (facts.stopped) code = facts.stopped == Status::interrupted ? exit_interrupted : worse(code, exit_limit);
+    if (facts.stopped && checked.size() < tasks.size() && !global.quiet)
+        print_error(console, fmt::format("{}: {} of {} scenes were not run", session.watch.reason(),
+                                         tasks.size() - checked.size(), tasks.size()));
+    if (global.json)
+        console.out << io::check_json(checked, facts);
+    else
+        console.out << "Clock: " << clock_text(facts, engine_seconds(checked), "the engine") << '\n';
     return code;
 }
 

@@ -175,7 +175,8 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
     step.order = choices.order();
     step.literal = choices.flag("literal");
     step.seed = global.seed.value_or(scene.seed);
-    RunSettings settings{make_method(choices.methods("method", {"event"}).front(), step), {}, false};
+    RunSettings settings;
+    settings.method = make_method(choices.methods("method", {"event"}).front(), step);
     if (auto* event = std::get_if<EventDriven>(&settings.method)) {
         event->kernel = choices.text("kernel");
         event->certified = choices.flag("certified");
@@ -184,16 +185,19 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
     settings.always_final = args.always_final || choices.flag("final");
     settings.run.until = choices.number("until", scene.end_time);
     settings.run.max_events = choices.integer("max_events", settings.run.max_events);
-    settings.run.max_seconds = choices.number("max_seconds", settings.run.max_seconds);
+    settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
     return settings;
 }
 
-CompareOptions compare_settings(const CompareArguments& args, const GlobalArguments& global, const Scene& scene,
-                                const std::string& file)
+CompareSettings compare_settings(const CompareArguments& args, const GlobalArguments& global, const Scene& scene,
+                                 const std::string& file)
 {
     const Choices choices(args.given, scene.compare, file + ": /compare");
-    choices.expect_known({"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance"});
-    CompareOptions options;
+    choices.expect_known(
+        {"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance", "max_seconds"});
+    CompareSettings settings;
+    settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
+    CompareOptions& options = settings.compare;
     options.methods = choices.methods("methods", method_names());
     options.dt = choices.numbers("dt", {1.0 / 60, 1.0 / 240, 1.0 / 1000});
     options.substeps = choices.integers("substeps", options.substeps);
@@ -204,7 +208,7 @@ CompareOptions compare_settings(const CompareArguments& args, const GlobalArgume
     options.until = choices.number("until", scene.end_time);
     options.repeats = static_cast<int>(std::min(choices.integer("repeats", options.repeats), most_repeats));
     if (choices.has("tolerance")) options.tolerance = choices.number("tolerance", 0);
-    return options;
+    return settings;
 }
 
 }  // namespace carom::cli

@@ -8,6 +8,7 @@
 #include <carom/scene.hpp>
 #include <carom/study.hpp>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -47,12 +48,17 @@ private:
 struct RunSettings {
     Method method;
     RunOptions run;
-    bool always_final = false;  ///< final states of many spheres, too
+    bool always_final = false;                                     ///< final states of many spheres, too
+    double max_seconds = std::numeric_limits<double>::infinity();  ///< for the whole command [s]
 };
 RunSettings run_settings(const RunArguments& args, const GlobalArguments& global, const Scene& scene,
                          const std::string& file);
 
-CompareOptions compare_settings(const CompareArguments& args, const GlobalArguments& global, const Scene& scene,
-                                const std::string& file);
+struct CompareSettings {
+    CompareOptions compare;
+    double max_seconds = std::numeric_limits<double>::infinity();  ///< for the whole command [s]
+};
+CompareSettings compare_settings(const CompareArguments& args, const GlobalArguments& global, const Scene& scene,
+                                 const std::string& file);
 
 }  // namespace carom::cli

@@ -62,9 +62,10 @@ std::filesystem::path scene_folder()
 }
 
 Scene read_with_options(const std::filesystem::path& file, bool allow_overlap, const std::vector<std::string>& set,
-                        const GlobalArguments& global)
+                        const GlobalArguments& global, const OnProgress& on_progress)
 {
     ReadOptions options;
+    options.on_progress = on_progress;
     options.allow_overlap = allow_overlap;
     options.seed = global.seed;
     options.set = set;
@@ -87,6 +88,9 @@ int run_cli(const std::vector<std::string>& args, const Console& console)
     } catch (const InputError& error) {
         for (const std::string& problem : error.problems()) print_error(console, problem);
         return exit_bad_input;
+    } catch (const CommandEnded& ended) {
+        print_error(console, ended.what());
+        return exit_code(ended.why());
     } catch (const std::bad_alloc&) {
         print_error(console,
                     "out of memory (take fewer spheres, in compare fewer methods and steps; ulimit -v says whether the "

@@ -5,6 +5,7 @@
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
 
+#include <carom/progress.hpp>
 #include <carom/scene.hpp>
 
 #include <string>
@@ -26,9 +27,9 @@ int do_toi(const Console& console);
 /// Folder of the catalogue: the environment's CAROM_SCENES, else that of the build.
 std::filesystem::path scene_folder();
 
-/// The scene in `file` with the seed and the changes of the command line. \throws InputError
+/// The scene in `file` with the seed and the changes of the command line. \throws InputError; Stopped by `on_progress`
 Scene read_with_options(const std::filesystem::path& file, bool allow_overlap, const std::vector<std::string>& set,
-                        const GlobalArguments& global);
+                        const GlobalArguments& global, const OnProgress& on_progress = {});
 
 /// Everything but the process: errors become messages on `console.err` and exit codes.
 /// \param args without the program's name

@@ -1,10 +1,9 @@
 #include "cli/choices.hpp"
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/notes.hpp"
 #include "cli/page_files.hpp"
-#include "cli/progress.hpp"
+#include "cli/session.hpp"
 #include "cli/tables.hpp"
 #include "io/compare_files.hpp"
 #include "report/page_data.hpp"
@@ -46,9 +45,11 @@ void tell_what_stopped(const Comparison& comparison, const Console& console)
 
 int do_compare(const CompareArguments& args, const GlobalArguments& global, const Console& console)
 {
+    Session session(args.given, global, console);
     const std::filesystem::path file = find_scene(args.scene, scene_folder());
-    const Scene scene = read_with_options(file, args.allow_overlap, args.set, global);
-    CompareOptions options = compare_settings(args, global, scene, file.string());
+    const Scene scene = session.read(file, args.allow_overlap, args.set);
+    CompareSettings settings = compare_settings(args, global, scene, file.string());
+    session.watch.limit(settings.max_seconds);
     const std::filesystem::path folder = args.out.empty()
                                              ? std::filesystem::path("out") / ("compare-" + file.stem().string())
                                              : std::filesystem::path(args.out);
@@ -56,16 +57,12 @@ int do_compare(const CompareArguments& args, const GlobalArguments& global, cons
     if (!global.quiet)
         for (const std::string& each : unused_materials(scene, args.set)) print_note(console, each);
 
-    const InterruptGuard guard;
-    ProgressLine progress(console, global);
-    options.on_progress = [&](const CompareProgress& now) {
-        progress.show(now.what, now.fraction);
-        return !guard.interrupted();
-    };
-    const Comparison comparison = compare_methods(scene, options);
-    progress.clear();
+    settings.compare.on_progress = session.on_progress();
+    const Comparison comparison = compare_methods(scene, settings.compare);
+    session.progress.clear();
 
-    const std::string json = io::compare_json(scene, comparison);
+    const io::CommandFacts facts = session.watch.facts();
+    const std::string json = io::compare_json(scene, comparison, facts);
     write_file(folder / "compare.csv", io::compare_csv(comparison));
     write_file(folder / "compare.json", json);
     const std::string data = report::comparison_data(scene, comparison);
@@ -73,15 +70,20 @@ int do_compare(const CompareArguments& args, const GlobalArguments& global, cons
     write_page(folder / "report.html", {data});
 
     console.out << (global.json ? json : compare_table(scene, comparison));
-    if (!global.json)
+    if (!global.json) {
+        console.out << "Clock: " << clock_text(facts, comparison.reference.cpu_seconds, "the reference") << '\n';
         for (const char* each : {"compare.csv", "compare.json", "report.html"})
             console.out << (folder / each).string() << '\n';
+    }
     if (!global.quiet) {
         tell_what_stopped(comparison, console);
         for (const CompareRow& row : comparison.rows)
             for (const std::string& each : lift_notes(scene, row.lifts)) print_note(console, row.method + ": " + each);
     }
-    return comparison.interrupted ? static_cast<int>(exit_interrupted) : worst_exit(comparison);
+    if (facts.stopped && !global.quiet) print_error(console, session.watch.reason());
+    if (facts.stopped == Status::interrupted) return exit_interrupted;
+    const int worst = worst_exit(comparison);
+    return facts.stopped && worst == exit_ok ? exit_limit : worst;
 }
 
 }  // namespace carom::cli

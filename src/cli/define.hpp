@@ -10,6 +10,12 @@ class App;
 
 namespace carom::cli {
 
+/// An option whose text is kept as typed; values are read later, together with the scene's defaults.
+void add_given(CLI::App& app, GivenOptions& given, const std::string& flag, const std::string& value,
+               const std::string& help);
+/// --max-seconds.
+void add_time_limit(CLI::App& app, GivenOptions& given);
+
 void define_scenes(CLI::App& app, ScenesArguments& scenes);
 void define_toi(CLI::App& app);
 void define_verify(CLI::App& app, VerifyArguments& verify);

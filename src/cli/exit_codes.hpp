@@ -5,6 +5,7 @@
 #include <carom/simulate.hpp>
 
 #include <stdexcept>
+#include <string>
 
 namespace carom::cli {
 
@@ -19,6 +20,16 @@ enum ExitCode : int {
 };
 
 int exit_code(Status status);
+
+/// A command that had to end before it had a result: exit 130 or 5.
+class CommandEnded : public std::runtime_error {
+public:
+    CommandEnded(Status why, const std::string& message) : std::runtime_error(message), why_(why) {}
+    Status why() const { return why_; }
+
+private:
+    Status why_;
+};
 
 /// What the user typed cannot be understood: exit 2.
 class UsageError : public std::runtime_error {

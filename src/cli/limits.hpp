@@ -14,6 +14,9 @@ inline constexpr long long most_repeats = 1'000'000;
 /// Values [1] of a range such as 1:2:lin5: each is a run.
 inline constexpr long long most_range_values = 100'000;
 
+/// Limit [s] from which on a command has none: 30 years, which the clock's own numbers hold.
+inline constexpr double longest_limit = 1e9;
+
 /// Time [s] before a progress line is shown: shorter runs need none.
 inline constexpr double progress_after = 1;
 /// Time [s] between two of its changes: an eye follows five a second.

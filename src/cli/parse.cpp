@@ -19,7 +19,8 @@ namespace carom::cli {
 
 namespace {
 
-/// An option whose text is kept as typed; values are read later, together with the scene's defaults.
+}  // namespace
+
 void add_given(CLI::App& app, GivenOptions& given, const std::string& flag, const std::string& value,
                const std::string& help)
 {
@@ -29,6 +30,14 @@ void add_given(CLI::App& app, GivenOptions& given, const std::string& flag, cons
            flag, [&given, key](const std::string& text) { given[key] = text; }, help)
         ->type_name(value);
 }
+
+void add_time_limit(CLI::App& app, GivenOptions& given)
+{
+    add_given(app, given, "--max-seconds", "S",
+              "Stop after so many seconds on the clock, counted from the start of the command");
+}
+
+namespace {
 
 template <class Names>
 std::string joined(const Names& names)
@@ -73,7 +82,7 @@ void define_run(CLI::App& app, RunArguments& run)
         "Where inelastic impacts accumulate: on, off, or on with " + joined(guard_fallback_names) + " [the scene's]");
     add_given(app, run.given, "--until", "T", "End of the run, counted from its start [the scene's end_time]");
     add_given(app, run.given, "--max-events", "N", "Stop after so many events, or steps of a discrete method [1e9]");
-    add_given(app, run.given, "--max-seconds", "S", "Stop after so many seconds on the clock");
+    add_time_limit(app, run.given);
     app.add_option(
            "--events", run.events,
            "Write the events to this file, or for - to stdout and the table to stderr; times exact: the shortest "
@@ -108,6 +117,7 @@ void define_compare(CLI::App& app, CompareArguments& compare)
     add_given(app, compare.given, "--repeats", "K", "Runs for the time, of which the median counts [3]");
     add_given(app, compare.given, "--tolerance", "X",
               "Position error that the verdict asks for [1 mm if fit, else 0.01 smallest radius]");
+    add_time_limit(app, compare.given);
     add_scene_options(app, compare.allow_overlap, compare.set);
     app.add_option("-o,--out", compare.out,
                    "Folder for compare.csv, compare.json, report.html and page.json, its data [out/compare-NAME]")
@@ -126,6 +136,7 @@ void define_compare(CLI::App& app, CompareArguments& compare)
 void define_check(CLI::App& app, CheckArguments& check)
 {
     app.add_option("scenes", check.scenes, "Scene files, or names of the catalogue")->required()->type_name("SCENE...");
+    add_time_limit(app, check.given);
     add_scene_options(app, check.allow_overlap, check.set);
     app.footer(
         "Runs the event method to the scene's end_time and asks whether what the scene's \"checks\" say holds.\n"
@@ -135,7 +146,7 @@ void define_check(CLI::App& app, CheckArguments& check)
         "  carom check bouncing_ball --set /materials/rubber/restitution=0.5\n"
         "Exit: 0 all hold, 4 one fails, 1 none fails but a run ended unresolved before its end, 5 at a limit, 3 bad "
         "scene\n"
-        "or one without checks, and then nothing is run.");
+        "or one without checks, and then nothing is run, 130 interrupted.");
 }
 
 void define_explain(CLI::App& app, ExplainArguments& explain)
@@ -155,13 +166,14 @@ void define_stress(CLI::App& app, StressArguments& stress)
 {
     add_given(app, stress.given, "--methods", "LIST", "Methods to put to the test [all]");
     app.add_option("--case", stress.only, "Only this case [all]")->type_name("NAME");
+    add_time_limit(app, stress.given);
     app.add_option("-o,--out", stress.out, "Write DIR/stress.csv and DIR/stress.json")->type_name("DIR");
     app.footer(
         "Examples:\n"
         "  carom stress\n"
         "  carom stress --methods event,pbd --case grazing\n"
         "  carom stress -o out/stress --json\n"
-        "Exit: 0 event passes, 4 it fails a case, 2 usage, 130 interrupted.");
+        "Exit: 0 event passes, 4 it fails a case, 2 usage, 5 a limit was reached, 130 interrupted.");
 }
 
 void define_report(CLI::App& app, ReportArguments& report)
@@ -169,10 +181,13 @@ void define_report(CLI::App& app, ReportArguments& report)
     app.add_option("folders", report.folders, "Folders that compare wrote")->required()->type_name("DIR...");
     app.add_option("-o,--out", report.out, "The page [DIR/report.html; out/report.html for several]")
         ->type_name("F.html");
+    add_time_limit(app, report.given);
     app.footer(
         "Examples:\n"
         "  carom report out/compare-bouncing_ball out/compare-bullet -o out/all.html\n"
-        "Exit: 0 written, 2 usage, 3 a folder is none of compare's or the page cannot be written.");
+        "Exit: 0 written, 2 usage, 3 a folder is none of compare's or the page cannot be written, 5 a limit was "
+        "reached, "
+        "130 interrupted.");
 }
 
 std::uint64_t seed_option(const std::string& text)

@@ -20,19 +20,32 @@ ProgressLine::ProgressLine(const Console& console, const GlobalArguments& global
     : console_(console),
       enabled_(console.err_is_terminal && !global.quiet && !global.no_progress),
       start_(Clock::now()),
-      last_(start_)
+      last_(start_),
+      stage_start_(start_)
 {
 }
 
-void ProgressLine::show(const std::string& what, double fraction, double amount, const std::string& unit)
+bool ProgressLine::is_due(Clock::time_point now) const
+{
+    return seconds_between(start_, now) >= progress_after &&
+           (!visible_ || seconds_between(last_, now) >= progress_every);
+}
+
+void ProgressLine::show(const Progress& progress)
 {
     if (!enabled_) return;
     const Clock::time_point now = Clock::now();
-    const double seconds = seconds_between(start_, now);
-    if (seconds < progress_after || (visible_ && seconds_between(last_, now) < progress_every)) return;
+    if (progress.stage != stage_) {
+        stage_ = progress.stage;
+        stage_start_ = now;
+    }
+    if (!is_due(now)) return;
     last_ = now;
     visible_ = true;
-    console_.err << "\r\033[K" << progress_text(what, fraction, amount, unit, seconds) << std::flush;
+    console_.err << "\r\033[K"
+                 << progress_text(progress.what, progress.fraction, progress.amount, progress.unit,
+                                  seconds_between(stage_start_, now))
+                 << std::flush;
 }
 
 void ProgressLine::clear()

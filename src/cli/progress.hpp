@@ -1,9 +1,11 @@
 /// \file
-/// One line on the terminal that says how far a run is.
+/// One line on the terminal that says how far a command is.
 #pragma once
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+
+#include <carom/progress.hpp>
 
 #include <chrono>
 #include <string>
@@ -18,17 +20,21 @@ public:
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// \param fraction done, in [0, 1]
-    /// \param amount done so far, in `unit`, for the rate; shown only if `unit` is not empty
-    void show(const std::string& what, double fraction, double amount = 0, const std::string& unit = "");
+    /// Rate and remaining time are those of the stage, which begins when it is first shown.
+    void show(const Progress& now);
+    /// Whether the next `show` would write.
+    bool is_due() const { return enabled_ && is_due(Clock::now()); }
     /// Removes the line.
     void clear();
 
 private:
     using Clock = std::chrono::steady_clock;
+    bool is_due(Clock::time_point now) const;
+
     const Console& console_;
     bool enabled_, visible_ = false;
-    Clock::time_point start_, last_;
+    Clock::time_point start_, last_, stage_start_;
+    std::string stage_;
 };
 
 /// "pbd dt 1/240: 43 %, 1.2 s/s, 7 s left".

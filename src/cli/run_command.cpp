@@ -1,10 +1,9 @@
 #include "cli/choices.hpp"
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/notes.hpp"
-#include "cli/progress.hpp"
 #include "cli/response.hpp"
+#include "cli/session.hpp"
 #include "cli/tables.hpp"
 #include "io/events_csv.hpp"
 #include "io/output_file.hpp"
@@ -95,10 +94,11 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
     const bool events_to_stdout = args.events == standard_output;
     if (events_to_stdout && global.json)
         throw UsageError("run: --events - and --json both write to stdout (name a file for the events)");
+    Session session(args.given, global, console);
     const std::filesystem::path file = find_scene(args.scene, scene_folder());
-    const Scene scene =
-        with_response(read_with_options(file, args.allow_overlap, args.set, global), args.given, file.string());
+    const Scene scene = with_response(session.read(file, args.allow_overlap, args.set), args.given, file.string());
     const RunSettings settings = run_settings(args, global, scene, file.string());
+    session.watch.limit(settings.max_seconds);
     if (global.verbose) explain_settings(scene, file, settings, console);
     if (!global.quiet) {
         for (const std::string& each : ignored_options(args.given, settings.method)) print_note(console, each);
@@ -109,8 +109,6 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
     if (!args.events.empty()) events.emplace(args.events, scene, settings.method, console);
     std::unique_ptr<RecordingWriter> recording;
     if (!args.out.empty()) recording = make_recording(args.out, scene, settings, global.quiet, console);
-    const InterruptGuard guard;
-    ProgressLine progress(console, global);
     RunStudyOptions options;
     options.run = settings.run;
     if (events || recording)
@@ -122,23 +120,21 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
         options.on_frame = [&](const RunFrame& frame) { recording->on_frame(frame); };
         options.on_flight = [&](const FlightRecord& flight) { recording->on_flight(flight); };
     }
-    const std::string unit = scene.units.time.empty() ? "time units" : scene.units.time;
-    options.on_progress = [&](double time) {
-        progress.show(fmt::format("t = {:.4g} of {:.4g}", time, settings.run.until), time / settings.run.until, time,
-                      unit);
-        return !guard.interrupted();
-    };
-    const RunStudy run = run_study(scene, settings.method, options);
-    progress.clear();
+    options.on_progress = session.on_time("run", settings.run.until, scene);
+    RunStudy run = run_study(scene, settings.method, options);
+    session.progress.clear();
+    session.watch.name_reason(run.outcome);
     if (events) events->close();
     if (recording) recording->finish(run.outcome);
 
-    const std::string json = io::run_json(scene, settings.method, run, {.always_final = settings.always_final});
+    const io::CommandFacts facts = session.watch.facts();
+    const std::string json =
+        io::run_json(scene, settings.method, run, {.always_final = settings.always_final, .command = facts});
     if (!args.out.empty()) write_file(std::filesystem::path(args.out) / "run.json", json);
     if (!events_to_stdout)
-        console.out << (global.json ? json : run_table(scene, run));
+        console.out << (global.json ? json : run_table(scene, run, facts));
     else if (!global.quiet)
-        console.err << run_table(scene, run);
+        console.err << run_table(scene, run, facts);
     const Outcome& outcome = run.outcome;
     if (outcome.status != Status::reached_end && !global.quiet)
         print_error(console, outcome.message.empty()

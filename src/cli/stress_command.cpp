@@ -1,8 +1,7 @@
 #include "cli/choices.hpp"
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/progress.hpp"
+#include "cli/session.hpp"
 #include "cli/tables.hpp"
 #include "io/stress_files.hpp"
 #include "study/stress/stress.hpp"
@@ -30,32 +29,40 @@ stress::Options stress_settings(const StressArguments& args)
     throw UsageError("--case: unknown case \"" + args.only + "\" (take " + known + ")");
 }
 
+double seconds_of_runs(const stress::Report& report)
+{
+    double sum = 0;
+    for (const stress::CaseResult& c : report.cases)
+        for (const stress::Result& each : c.results) sum += each.seconds;
+    return sum;
+}
+
 }  // namespace
 
 int do_stress(const StressArguments& args, const GlobalArguments& global, const Console& console)
 {
+    Session session(args.given, global, console);
     stress::Options options = stress_settings(args);
-    const InterruptGuard guard;
-    ProgressLine progress(console, global);
-    options.on_progress = [&](const std::string& what, double fraction) {
-        progress.show(what, fraction);
-        return !guard.interrupted();
-    };
+    options.on_progress = session.on_progress();
     const stress::Report report = stress::run_cases(options);
-    progress.clear();
+    session.progress.clear();
 
-    const std::string json = io::stress_json(report);
+    const io::CommandFacts facts = session.watch.facts();
+    const std::string json = io::stress_json(report, facts);
     if (!args.out.empty()) {
         const std::filesystem::path folder = args.out;
         write_file(folder / "stress.csv", io::stress_csv(report));
         write_file(folder / "stress.json", json);
     }
     console.out << (global.json ? json : stress_table(report));
+    if (!global.json) console.out << "Clock: " << clock_text(facts, seconds_of_runs(report), "the runs") << '\n';
     if (!args.out.empty() && !global.json)
         for (const char* each : {"stress.csv", "stress.json"})
             console.out << (std::filesystem::path(args.out) / each).string() << '\n';
-    if (report.interrupted) return exit_interrupted;
-    return report.event_passes() ? exit_ok : exit_check_failed;
+    if (facts.stopped && !global.quiet) print_error(console, session.watch.reason());
+    if (facts.stopped == Status::interrupted) return exit_interrupted;
+    if (!report.event_passes()) return exit_check_failed;
+    return facts.stopped ? exit_limit : exit_ok;
 }
 
 }  // namespace carom::cli

@@ -152,7 +152,13 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
     return text;
 }
 
-std::string run_table(const Scene& scene, const RunStudy& run)
+std::string clock_text(const io::CommandFacts& command, double part_cpu_seconds, const std::string& part)
+{
+    return fmt::format("{} for the whole command (CPU {}), of it {} of CPU for {}", seconds_text(command.seconds),
+                       seconds_text(command.cpu_seconds), seconds_text(part_cpu_seconds), part);
+}
+
+std::string run_table(const Scene& scene, const RunStudy& run, const io::CommandFacts& command)
 {
     const Outcome& outcome = run.outcome;
     const Units& units = scene.units;
@@ -174,7 +180,7 @@ std::string run_table(const Scene& scene, const RunStudy& run)
     lines.push_back({"max penetration", study::length_text(run.max_penetration, units.length)});
     if (run.escaped > 0) lines.push_back({"escaped", escaped_text(scene, run)});
     add_final(scene, outcome, lines);
-    lines.push_back({"CPU time", seconds_text(run.cpu_seconds)});
+    lines.push_back({"clock", clock_text(command, run.cpu_seconds, "the engine")});
     return aligned(lines, 2);
 }
 

@@ -2,6 +2,7 @@
 /// Results as text for people.
 #pragma once
 
+#include "io/command_facts.hpp"
 #include "study/stress/stress.hpp"
 
 #include <carom/checks.hpp>
@@ -20,12 +21,14 @@ std::string figure(const std::optional<double>& value);        ///< three digits
 std::string counted(std::size_t n, const char* what);          ///< "3 spheres"
 std::string bodies(const Scene& scene);                        ///< "3 spheres, 1 plane"
 std::string with_unit(double value, const std::string& unit);  ///< ten digits
+/// "3.1 s for the whole command (CPU 3 s), 0.13 s of CPU for the engine".
+std::string clock_text(const io::CommandFacts& command, double part_cpu_seconds, const std::string& part);
 
 /// How to go on after a run that met something which it cannot resolve; empty for others.
 std::string unresolved_advice(const Outcome& outcome);
 
 /// A run in a dozen lines.
-std::string run_table(const Scene& scene, const RunStudy& run);
+std::string run_table(const Scene& scene, const RunStudy& run, const io::CommandFacts& command);
 
 /// The checks of a scene, one a line.
 std::string check_table(const Scene& scene, const std::string& name, const CheckReport& report);

@@ -1,9 +1,9 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/progress.hpp"
+#include "cli/session.hpp"
 #include "cli/tables.hpp"
 #include "io/verify_json.hpp"
+#include "study/words.hpp"
 
 #include <carom/io.hpp>
 #include <carom/verify.hpp>
@@ -21,13 +21,25 @@ std::string share(double part, double whole)
     return fmt::format("{:.6g} ({:.4g} %)", part, whole > 0 ? 100 * part / whole : 0);
 }
 
-std::string verify_table(const Certificate& c)
+std::string certificate_text(const Certificate& c)
+{
+    if (!c.holds()) return fmt::format("DOES NOT HOLD: {} violations", c.violated);
+    return c.stopped ? "none: nothing wrong was found before the examination stopped" : "holds";
+}
+
+std::string recording_text(const Certificate& c)
+{
+    const char* const how = c.stopped ? "examined to" : c.complete ? "complete, to" : "cut off at";
+    return fmt::format("{} t = {:.10g}", how, c.until);
+}
+
+std::string verify_table(const Certificate& c, const io::CommandFacts& command)
 {
     const CertifiedSeconds& s = c.body_seconds;
     const double all = s.exact + s.bounded + s.in_contact + s.numeric + s.guarded + s.not_certified;
     std::vector<std::vector<std::string>> rows{
-        {"certificate", c.holds() ? "holds" : fmt::format("DOES NOT HOLD: {} violations", c.violated)},
-        {"recording", fmt::format("{} t = {:.10g}", c.complete ? "complete, to" : "cut off at", c.until)},
+        {"certificate", certificate_text(c)},
+        {"recording", recording_text(c)},
         {"bodies", fmt::format("{} spheres, {} planes", c.spheres, c.planes)},
         {"read", fmt::format("{} flights, {} events, hash {:016x}", c.flights, c.events, c.event_hash)},
         {"pairs", fmt::format("{}, examined in {} segments", c.pairs, c.segments)},
@@ -60,6 +72,8 @@ std::string verify_table(const Certificate& c)
         rows.push_back({"settled", fmt::format("{} contacts that opened slowly, by impulses", c.settles)});
     if (c.guards > 0)
         rows.push_back({"guard", fmt::format("{} windows, overlap at most {:.2g}", c.guards, c.guarded_depth)});
+    rows.push_back({"clock", fmt::format("{} (CPU {})", study::seconds_text(command.seconds),
+                                         study::seconds_text(command.cpu_seconds))});
     return aligned(rows, 2);
 }
 
@@ -67,24 +81,22 @@ std::string verify_table(const Certificate& c)
 
 int do_verify(const VerifyArguments& args, const GlobalArguments& global, const Console& console)
 {
+    Session session(args.given, global, console);
     RecordingReader recording(find_recording(args.run));
-    const InterruptGuard guard;
-    ProgressLine progress(console, global);
     VerifyOptions options;
     options.all_pairs = args.all_pairs;
-    const double end = recording.run().end ? recording.run().end->time : 0;
-    options.on_progress = [&](double time) {
-        progress.show(fmt::format("t = {:.4g}", time), end > 0 ? time / end : 0);
-        return !guard.interrupted();
-    };
+    options.on_progress = session.on_progress();
     const Certificate certificate = verify(recording, options);
-    progress.clear();
-    console.out << (global.json ? io::verify_json(certificate, recording) : verify_table(certificate));
-    if (guard.interrupted()) return exit_interrupted;
+    session.progress.clear();
+    const io::CommandFacts facts = session.watch.facts();
+    console.out << (global.json ? io::verify_json(certificate, recording, facts) : verify_table(certificate, facts));
+    if (facts.stopped && !global.quiet) print_error(console, session.watch.reason());
     if (!global.quiet)
         for (const Violation& v : certificate.violations)
             print_error(console, fmt::format("{}, at t = {:.17g}", v.what, v.time));
-    return certificate.holds() ? exit_ok : exit_check_failed;
+    if (facts.stopped == Status::interrupted) return exit_interrupted;
+    if (!certificate.holds()) return exit_check_failed;
+    return facts.stopped ? exit_limit : exit_ok;
 }
 
 }  // namespace carom::cli

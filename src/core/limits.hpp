@@ -2,6 +2,8 @@
 /// The limits of core: unit, value, reason.
 #pragma once
 
+#include <cstddef>
+
 namespace carom {
 
 /// Draws [points of a cube] for one direction: one lies in the ball with probability pi/6, all miss it with 1e-64.
@@ -10,5 +12,9 @@ inline constexpr int most_direction_draws = 200;
 /// coordinates are multiples of 2^-52, so that one at 0.01 is off by less than 4e-14. One of two million is drawn
 /// again.
 inline constexpr double least_direction_square = 1e-4;
+
+/// Units of work [1, less than a microsecond each] between two questions whether to go on: a question takes some 50 ns
+/// beside them, and half a millisecond goes by.
+inline constexpr std::size_t units_between_questions = 512;
 
 }  // namespace carom

@@ -19,10 +19,10 @@ Json result_json(const CheckResult& result)
 
 }  // namespace
 
-std::string check_json(const std::vector<CheckedScene>& scenes)
+std::string check_json(const std::vector<CheckedScene>& scenes, const CommandFacts& command)
 {
     Json list = Json::array();
-    bool all_hold = true;
+    bool all_hold = !command.stopped;
     for (const CheckedScene& each : scenes) {
         Json results = Json::array();
         for (const CheckResult& result : each.report.results) results.push_back(result_json(result));
@@ -35,9 +35,13 @@ std::string check_json(const std::vector<CheckedScene>& scenes)
                         {"status", name(outcome.status)},
                         {"message", outcome.message},
                         {"time", outcome.time},
+                        {"cpu_seconds", each.report.run.study.cpu_seconds},
                         {"checks", results}});
     }
-    const Json json = {{"format", "carom-check/1"}, {"passed", all_hold}, {"scenes", list}};
+    Json json = {{"format", "carom-check/1"}, {"passed", all_hold}};
+    put_stopped(json, command);
+    put_seconds(json, command);
+    json["scenes"] = list;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

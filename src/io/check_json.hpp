@@ -2,6 +2,8 @@
 /// Evaluated checks as JSON, format carom-check/1.
 #pragma once
 
+#include "io/command_facts.hpp"
+
 #include <carom/checks.hpp>
 
 #include <string>
@@ -15,6 +17,7 @@ struct CheckedScene {
 };
 
 /// One JSON object, indented, with its last line end. What is not finite is null.
-std::string check_json(const std::vector<CheckedScene>& scenes);
+/// Stopped commands have passed nothing; `scenes` are those that began to run.
+std::string check_json(const std::vector<CheckedScene>& scenes, const CommandFacts& command = {});
 
 }  // namespace carom::io

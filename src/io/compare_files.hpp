@@ -2,6 +2,8 @@
 /// The result of a comparison as compare.csv and compare.json; `carom compare -h` says what the columns mean.
 #pragma once
 
+#include "io/command_facts.hpp"
+
 #include <carom/study.hpp>
 
 #include <string>
@@ -18,6 +20,6 @@ inline constexpr const char* compare_csv_header =
 std::string compare_csv(const Comparison& comparison);
 
 /// Format carom-compare/1, indented. What there is none of, or is not finite, is null.
-std::string compare_json(const Scene& scene, const Comparison& comparison);
+std::string compare_json(const Scene& scene, const Comparison& comparison, const CommandFacts& command = {});
 
 }  // namespace carom::io

@@ -70,13 +70,15 @@ std::string joined(const std::vector<std::string>& sentences)
 
 }  // namespace
 
-std::string compare_json(const Scene& scene, const Comparison& comparison)
+std::string compare_json(const Scene& scene, const Comparison& comparison, const CommandFacts& command)
 {
     const ReferenceSummary& reference = comparison.reference;
     Json json = {{"format", "carom-compare/1"}, {"scene", scene.name}};
     json["until"] = comparison.until;
     json["tolerance"] = comparison.tolerance;
     json["interrupted"] = comparison.interrupted;
+    put_stopped(json, command);
+    put_seconds(json, command);
     json["reference"] = {{"kind", reference.kind},
                          {"bound", reference.bound},
                          {"until", reference.until},

@@ -3,6 +3,8 @@
 /// file sees the parser.
 #pragma once
 
+#include "core/patience.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,8 @@ std::string describe(const Json& value);
 /// \param file for messages only.
 /// \throws InputError with "FILE:LINE:COL: ..." for a syntax error or a number too large for a double, and "FILE:
 /// POINTER: ..." for every duplicate key.
+/// Stopped if the patience ends.
+Json parse_json(std::string_view text, const std::string& file, Patience& patience);
 Json parse_json(std::string_view text, const std::string& file);
 
 }  // namespace carom::io

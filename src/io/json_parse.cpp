@@ -13,7 +13,10 @@ namespace {
 /// Builds the tree from the parser's calls.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 public:
-    TreeBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+    TreeBuilder(std::string_view text, const std::string& file, Patience& patience)
+        : text_(text), file_(file), patience_(patience)
+    {
+    }
 
     Json root;
     std::vector<std::string> problems;
@@ -84,7 +87,7 @@ private:
             root = std::move(json);
         else
             open_.back().json.items.push_back(std::move(json));
-        return true;
+        return patience_.lasts_for(1);
     }
     bool open(Json::Kind kind)
     {
@@ -121,6 +124,7 @@ private:
 
     std::string_view text_;
     const std::string& file_;
+    Patience& patience_;
     std::vector<Open> open_;
 };
 
@@ -128,9 +132,16 @@ private:
 
 Json parse_json(std::string_view text, const std::string& file)
 {
+    Patience endless;
+    return parse_json(text, file, endless);
+}
+
+Json parse_json(std::string_view text, const std::string& file, Patience& patience)
+{
     refuse_what_is_no_text(text, file);
-    TreeBuilder builder(text, file);
+    TreeBuilder builder(text, file, patience);
     const bool complete = nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+    if (patience.ended()) throw Stopped();
     if (!builder.problems.empty()) throw InputError(std::move(builder.problems));
     if (!complete) throw InputError({file + ": is no JSON text"});
     return std::move(builder.root);

@@ -71,6 +71,10 @@ inline constexpr std::int64_t most_bytes_of_ids = std::int64_t{1} << 30;
 inline constexpr std::int64_t most_written_by_hand = 1 << 20;
 /// Error [1] of the square of a recorded normal's length that a reader accepts: scenes are held to 1e-12.
 inline constexpr double recorded_normal_error = 1e-9;
+/// Work [values read] of a sphere of a list: its id, radius, place and velocity.
+inline constexpr std::size_t work_of_a_sphere = 4;
+/// Time [ms] for which the reading of a silent pipe waits before it asks whether to go on: Ctrl-C seems to act at once.
+inline constexpr int longest_wait = 50;
 /// Bytes [1] of a plane of a column that are looked at before compressing it: noise then agrees with itself to within
 /// 1 %.
 inline constexpr std::size_t compression_sample = 4096;

@@ -125,6 +125,7 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
     json["escaped"] = run.escaped;
     json["cpu_seconds"] = run.cpu_seconds;
     json["wall_seconds"] = run.wall_seconds;
+    put_seconds(json, options.command);
     json["event_hash"] = step == nullptr ? Json(fmt::format("{:016x}", outcome.event_hash)) : Json(nullptr);
     json["pressure"] = pressure_json(scene, run);
     json["rest_times"] = rest_times_json(scene, outcome);

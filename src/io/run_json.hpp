@@ -2,6 +2,7 @@
 /// The result of one run as JSON, format carom-run/1.
 #pragma once
 
+#include "io/command_facts.hpp"
 #include "io/limits.hpp"
 
 #include <carom/study.hpp>
@@ -12,6 +13,7 @@ namespace carom::io {
 
 struct RunJsonOptions {
     bool always_final = false;  ///< write `final` for more than `max_final_spheres` too
+    CommandFacts command = {};  ///< the run is a part of
 };
 
 /// One JSON object, indented, with its last line end. What is not finite is null.

@@ -20,7 +20,9 @@ const std::vector<CommandOptions>& command_options()
          {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds", "final",
           "kernel", "certified", "impact", "guard"},
          {"equilibrate"}},
-        {"compare", {"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance"}, {}},
+        {"compare",
+         {"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance", "max_seconds"},
+         {}},
         {"tunnel", {"speed", "thickness", "radius", "dt", "methods", "trials", "bisect"}, {}},
         {"view", {"out"}, {}},
     };

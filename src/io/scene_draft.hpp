@@ -18,6 +18,7 @@ struct SceneDraft {
     BodyPlaces places;            ///< of the bodies read so far
     bool bodies_complete = true;  ///< false once a body had to be left out
     std::optional<Region> box;    ///< where fills go that name no region
+    Patience patience;            ///< once it has ended, nothing here is complete
 };
 
 // scene_materials.cpp

@@ -1,9 +1,16 @@
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <carom/io.hpp>
-#include <fstream>
+#include <cerrno>
+#include <optional>
+#include <span>
 #include <system_error>
 
+#include "core/patience.hpp"
 #include "core/text.hpp"
 #include "io/json.hpp"
 #include "io/limits.hpp"
@@ -16,25 +23,56 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string read_text(const fs::path& file)
+/// A file that is open for reading, as long as this lives. A stream would wait for a silent pipe through any signal.
+class Input {
+public:
+    explicit Input(const fs::path& file) : descriptor_(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
+    ~Input()
+    {
+        if (is_open()) ::close(descriptor_);
+    }
+    Input(const Input&) = delete;
+    Input& operator=(const Input&) = delete;
+
+    bool is_open() const { return descriptor_ >= 0; }
+
+    /// So many bytes that are there, 0 at the end, none if they cannot be read. \throws Stopped
+    std::optional<std::size_t> read(std::span<char> bytes, Patience& patience) const
+    {
+        for (;;) {
+            if (!patience.lasts()) throw Stopped();
+            pollfd ready{descriptor_, POLLIN, 0};
+            if (::poll(&ready, 1, io::longest_wait) <= 0) continue;
+            const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
+            if (count >= 0) return static_cast<std::size_t>(count);
+            if (errno != EINTR && errno != EAGAIN) return std::nullopt;
+        }
+    }
+
+private:
+    int descriptor_;
+};
+
+std::string read_text(const fs::path& file, Patience& patience)
 {
     std::error_code error;
     const std::string name = file.string();
     if (fs::is_directory(file, error)) throw InputError({name + ": is a directory (name a scene file in it)"});
     if (!fs::exists(file, error)) throw InputError({name + ": no such file"});
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw InputError({name + ": cannot be opened (check its permissions)"});
+    const Input input(file);
+    if (!input.is_open()) throw InputError({name + ": cannot be opened (check its permissions)"});
     std::string text;
     std::array<char, io::read_at_once> chunk;
-    while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
-        text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
-        if (text.find('\0', text.size() - static_cast<std::size_t>(stream.gcount())) != std::string::npos)
+    for (;;) {
+        const std::optional<std::size_t> count = input.read(chunk, patience);
+        if (!count) throw InputError({name + ": cannot be read"});
+        if (*count == 0) return text;
+        text.append(chunk.data(), *count);
+        if (text.find('\0', text.size() - *count) != std::string::npos)
             io::refuse_binary(name);  // at once: there may be no end
         if (text.size() > io::most_scene_bytes)
             throw InputError({name + ": is larger than 1 GiB, more than any scene (use \"fill\" for many spheres)"});
     }
-    if (stream.bad()) throw InputError({name + ": cannot be read"});
-    return text;
 }
 
 bool is_scene_file(const fs::path& path)
@@ -53,7 +91,9 @@ std::string string_member(const io::Json& json, std::string_view key)
 
 Scene read_scene(const fs::path& file, const ReadOptions& options)
 {
-    return parse_scene(read_text(file), file.string(), options);
+    Patience patience(options.on_progress);
+    patience.begin("scene file", 1);
+    return parse_scene(read_text(file, patience), file.string(), options);
 }
 
 std::vector<fs::path> scene_files(const fs::path& root)
@@ -72,7 +112,8 @@ std::vector<CatalogueEntry> list_scenes(const fs::path& root)
     std::vector<CatalogueEntry> entries;
     for (const fs::path& file : scene_files(root)) {
         try {
-            const io::Json json = io::parse_json(read_text(file), file.string());
+            Patience endless;
+            const io::Json json = io::parse_json(read_text(file, endless), file.string());
             entries.push_back(
                 {file.stem().string(), file, string_member(json, "name"), string_member(json, "description")});
         } catch (const InputError&) {

@@ -131,7 +131,9 @@ void read_fills(ObjectView& root, SceneDraft& draft)
             draft.bodies_complete = false;
             continue;
         }
-        Filled filled = expand_fill(fill, draft.scene);
+        draft.patience.begin(fill.id, static_cast<double>(fill.count), "spheres");
+        Filled filled = expand_fill(fill, draft.scene, draft.patience);
+        if (draft.patience.ended()) return;
         if (!filled.problem.empty()) {
             problems.add_lines({place.pointer + filled.problem});
             draft.bodies_complete = false;

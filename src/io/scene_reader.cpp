@@ -75,13 +75,15 @@ void refuse_what_comes_later(ObjectView& root)
 
 Scene parse_scene(std::string_view text, const std::string& file, const ReadOptions& options)
 {
-    io::Json json = io::parse_json(text, file);
+    io::SceneDraft draft;
+    draft.patience = Patience(options.on_progress);
+    draft.patience.begin("scene file", 1);
+    io::Json json = io::parse_json(text, file, draft.patience);
     io::Problems problems(file);
     for (const std::string& assignment : options.set) io::assign(json, assignment, problems);
     problems.throw_if_any();
     io::ObjectView root({&json, ""}, problems);
     problems.throw_if_any();
-    io::SceneDraft draft;
     io::read_header(root, file, draft.scene);
     if (options.seed) draft.scene.seed = *options.seed;
     io::read_materials(root, draft);
@@ -93,11 +95,13 @@ Scene parse_scene(std::string_view text, const std::string& file, const ReadOpti
     io::read_planes(root, draft);
     io::read_box(root, draft);
     io::read_fills(root, draft);
+    if (draft.patience.ended()) throw Stopped();
     io::read_checks(root, draft);
     io::read_command_defaults(root, draft);
     io::refuse_what_comes_later(root);
     root.finish();
-    problems.add_lines(validate(draft.scene, options.allow_overlap, draft.places));
+    problems.add_lines(validate(draft.scene, options.allow_overlap, draft.places, draft.patience));
+    if (draft.patience.ended()) throw Stopped();
     problems.throw_if_any();
     return std::move(draft.scene);
 }

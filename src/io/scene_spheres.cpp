@@ -1,3 +1,4 @@
+#include "io/limits.hpp"
 #include "io/scene_draft.hpp"
 
 namespace carom::io {
@@ -27,7 +28,11 @@ Sphere read_sphere(ObjectView& view, std::size_t index, const SceneDraft& draft)
 void read_spheres(ObjectView& root, SceneDraft& draft)
 {
     std::size_t index = 0;
-    for (const auto& place : root.list("spheres")) {
+    const auto places = root.list("spheres");
+    draft.patience.begin("spheres", static_cast<double>(places.size()), "spheres");
+    for (const auto& place : places) {
+        if (!draft.patience.lasts_for(work_of_a_sphere)) return;
+        draft.patience.reach(static_cast<double>(index));
         const std::size_t before = root.problems().count();
         ObjectView view(place, root.problems());
         Sphere sphere = read_sphere(view, index++, draft);

@@ -44,12 +44,14 @@ std::string stress_csv(const stress::Report& report)
     return text;
 }
 
-std::string stress_json(const stress::Report& report)
+std::string stress_json(const stress::Report& report, const CommandFacts& command)
 {
     Json json = {{"format", "carom-stress/1"},
                  {"methods", report.methods},
                  {"event_passes", report.event_passes()},
                  {"interrupted", report.interrupted}};
+    put_stopped(json, command);
+    put_seconds(json, command);
     json["cases"] = Json::array();
     for (const stress::CaseResult& c : report.cases) json["cases"].push_back(case_json(c));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

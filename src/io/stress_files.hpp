@@ -2,6 +2,7 @@
 /// The stress report as stress.csv and stress.json.
 #pragma once
 
+#include "io/command_facts.hpp"
 #include "study/stress/stress.hpp"
 
 #include <string>
@@ -14,6 +15,6 @@ inline constexpr const char* stress_csv_header = "case,method,passed,figure,limi
 std::string stress_csv(const stress::Report& report);
 
 /// Format carom-stress/1, indented. A figure that is not finite is null.
-std::string stress_json(const stress::Report& report);
+std::string stress_json(const stress::Report& report, const CommandFacts& command = {});
 
 }  // namespace carom::io

@@ -34,12 +34,14 @@ Json violations_json(const Certificate& c, const RecordingReader& recording)
 
 }  // namespace
 
-std::string verify_json(const Certificate& c, const RecordingReader& recording)
+std::string verify_json(const Certificate& c, const RecordingReader& recording, const CommandFacts& command)
 {
-    Json json = {{"format", "carom-verify/1"}, {"holds", c.holds()}};
+    Json json = {{"format", "carom-verify/1"}, {"holds", c.holds() && c.stopped ? Json(nullptr) : Json(c.holds())}};
     for (const char* key : {"scene", "method", "number", "status"}) json[key] = meta_json(recording, key);
     json["complete"] = c.complete;
     json["until"] = c.until;
+    put_stopped(json, command);
+    put_seconds(json, command);
     json["spheres"] = c.spheres;
     json["planes"] = c.planes;
     json["events"] = c.events;

@@ -2,6 +2,7 @@
 /// Complementarity problems of a few contacts, dense, in multiprecision. G = A^T A is the coupling of contacts.
 #pragma once
 
+#include "core/patience.hpp"
 #include "reference/limits.hpp"
 
 #include <cstddef>
@@ -61,9 +62,9 @@ Numbers<Real> balance(const Matrix<Real>& G, const Numbers<Real>& c, const Chose
 }
 
 /// x >= 0 with G x + c >= 0 (to `least`) and x.(G x + c) = 0: Lawson and Hanson, Solving Least Squares Problems (1974),
-/// chapter 23, on G; first all contacts are tried together.
+/// chapter 23, on G; first all contacts are tried together. Without patience: what there is by then.
 template <class Real>
-Numbers<Real> complement(const Matrix<Real>& G, const Numbers<Real>& c, const Real& least)
+Numbers<Real> complement(const Matrix<Real>& G, const Numbers<Real>& c, const Real& least, Patience& patience)
 {
     const std::size_t m = c.size(), most = 10 * m + 10;
     Numbers<Real> x = balance(G, c, first(m));
@@ -71,7 +72,7 @@ Numbers<Real> complement(const Matrix<Real>& G, const Numbers<Real>& c, const Re
     x.assign(m, Real(0));
     Chosen P;
     std::vector<bool> barred(m, false);  // in P, or found to depend on it
-    for (std::size_t step = 0; step < most; ++step) {
+    for (std::size_t step = 0; step < most && patience.lasts(); ++step) {
         const Numbers<Real> y = residual(G, x, c);
         std::size_t next = m;
         for (std::size_t i = 0; i < m; ++i)
@@ -84,7 +85,7 @@ Numbers<Real> complement(const Matrix<Real>& G, const Numbers<Real>& c, const Re
             barred[next] = true;
             continue;
         }
-        for (;;) {
+        while (patience.lasts()) {
             std::size_t blocks = m;
             Real part = 1;
             for (const std::size_t i : P) {

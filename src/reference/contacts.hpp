@@ -16,10 +16,11 @@ using Pair = std::pair<BodyId, BodyId>;  ///< the smaller id first
 template <class Real>
 class Contacts {
 public:
-    explicit Contacts(const Scene& scene) : scene_(scene), rest_(rest_thresholds(scene))
+    Contacts(const Scene& scene, Patience& patience) : scene_(scene), rest_(rest_thresholds(scene)), patience_(patience)
     {
         for (const Sphere& s : scene.spheres) balls_.emplace_back(s, Vector<Real>(scene.gravity));
-        for (BodyId i = 0; i < count(); ++i) declare(i);
+        patience_.begin("reference: contacts at the start", count(), "spheres");
+        for (BodyId i = 0; i < count() && patience_.lasts(i); ++i) declare(i);
     }
 
     BodyId count() const { return static_cast<BodyId>(balls_.size()); }
@@ -52,7 +53,7 @@ public:
     {
         Group<Real> g{std::move(first), {}, {}};
         const double tolerance = scene_.impact.tie.value_or(tie);
-        for (std::size_t a = 0; a < g.bodies.size(); ++a) {
+        for (std::size_t a = 0; a < g.bodies.size() && patience_.lasts(); ++a) {
             const BodyId i = g.bodies[a];
             g.lightness.push_back(1 / balls_[i].mass);
             for (BodyId j = 0; j < bodies(); ++j) {
@@ -73,6 +74,28 @@ public:
         std::vector<Vector<Real>> v;
         for (const BodyId i : g.bodies) v.push_back(balls_[i].flight.velocity(t));
         return v;
+    }
+
+    /// The earliest contact of sphere i, before `until`, with a plane or one of the first spheres: its `next` and
+    /// `partner`. Planes first: they are near.
+    void predict(BodyId i, const Real& now, const Real& until, BodyId spheres, std::int64_t& root_solves)
+    {
+        Ball<Real>& ball = balls_[i];
+        ball.partner = no_body;
+        ball.next = until;
+        const double now_rounded = static_cast<double>(now);
+        double horizon = static_cast<double>(Real(until - now));
+        for (BodyId k = count(), end = bodies() + spheres; k < end; ++k) {
+            const BodyId j = k < bodies() ? k : k - bodies();
+            if (j == i || (ball.fixed && fixed(j)) || held(i, j)) continue;
+            if (j < count() && approach(i, j, now_rounded).misses(horizon)) continue;
+            if (!patience_.lasts()) return;
+            const std::optional<Real> dt = contact_in(i, j, now, until, root_solves);
+            if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) continue;
+            ball.next = now + *dt;
+            ball.partner = j;
+            horizon = static_cast<double>(*dt);
+        }
     }
 
     /// Time from now to the next contact of sphere i with body j, if there is one before `until`.
@@ -133,6 +156,7 @@ private:
 
     const Scene& scene_;
     RestThresholds rest_;
+    Patience& patience_;
     std::vector<Ball<Real>> balls_;
     std::set<Pair> held_;
 };

@@ -42,16 +42,16 @@ void rub(const Group<Real>& g, std::vector<Vector<Real>>& v, const Numbers<Real>
 /// Several contacts (docs/impacts.md, section 3), and a last inelastic impact. \returns impulses; none if something
 /// approaches after all
 template <class Real>
-Numbers<Real> impact_together(const Group<Real>& g, std::vector<Vector<Real>>& v)
+Numbers<Real> impact_together(const Group<Real>& g, std::vector<Vector<Real>>& v, Patience& patience)
 {
     const Matrix<Real> G = g.coupling();
     const Real scale = largest(v);
     Numbers<Real> e;
     for (const Link<Real>& l : g.links) e.push_back(l.law.restitution);
-    Numbers<Real> x = reflections(G, g.rates(v), e, Real(noise * scale));
+    Numbers<Real> x = reflections(G, g.rates(v), e, Real(noise * scale), patience);
     g.push(v, x);
     rub(g, v, x);
-    g.push(v, complement(G, g.rates(v), Real(1e-25 * scale)));
+    g.push(v, complement(G, g.rates(v), Real(1e-25 * scale), patience));
     for (const Real& c : g.rates(v))
         if (c < -1e-9 * scale) x.clear();
     return x;

@@ -18,18 +18,25 @@ namespace carom::reference {
 template <class Real>
 class Integrator {
 public:
-    Integrator(const Scene& scene, const Real& until)
-        : scene_(scene), until_(until), gravity_(scene.gravity), rest_(rest_thresholds(scene)), balls_(scene)
+    Integrator(const Scene& scene, const Real& until, Patience& patience)
+        : scene_(scene),
+          until_(until),
+          gravity_(scene.gravity),
+          rest_(rest_thresholds(scene)),
+          patience_(patience),
+          balls_(scene, patience)
     {
         const auto loses = [](const auto& law) { return law.restitution < 1; };
         lossy_ = std::any_of(scene.materials.begin(), scene.materials.end(), loses) ||
                  std::any_of(scene.contacts.begin(), scene.contacts.end(), loses);
+        patience_.begin("reference: first contacts", balls_.count(), "spheres");
         for (BodyId i = 0; i < balls_.count() && !stopped(); ++i) {
             if (balls_.fixed(i) || balls_[i].supported || !balls_.supported(i)) continue;
             const Group<Real> g = balls_.group({i}, 0);
             persist(g, balls_.velocities(g, 0), 0);
         }
-        for (BodyId i = 0; i < balls_.count() && !stopped(); ++i) predict(i, 0, i);
+        for (BodyId i = 0; i < balls_.count() && patience_.lasts(i) && !stopped(); ++i)
+            balls_.predict(i, 0, until_, i, root_solves);
     }
 
     /// Executes the events up to and including time t. \pre t never decreases and is at most `until`.
@@ -42,14 +49,17 @@ public:
             if (a == no_body || balls_[a].next > t) return;
             const Real now = balls_[a].next;
             const BodyId b = balls_[a].partner;
+            if (!patience_.lasts(static_cast<double>(now))) return;
             std::vector<BodyId> movable;
             if (!balls_.fixed(a)) movable.push_back(a);
             if (!balls_.fixed(b)) movable.push_back(b);
             const Group<Real> g = balls_.group(std::move(movable), now);
+            if (stopped()) return;
             impact(g, now);
             for (BodyId i = 0; i < balls_.count() && !stopped(); ++i) {
                 const BodyId p = balls_[i].partner;
-                if (i == a || i == b || g.has(i) || (p != no_body && g.has(p))) predict(i, now, balls_.count());
+                if (i == a || i == b || g.has(i) || (p != no_body && g.has(p)))
+                    balls_.predict(i, now, until_, balls_.count(), root_solves);
             }
         }
     }
@@ -62,7 +72,8 @@ public:
         if (balls_[i].supported) return size(f.a) == 0 && size(f.velocity(t)) == 0 ? Mode::resting : Mode::sliding;
         return balls_[i].series >= 0 ? Mode::series : Mode::flying;
     }
-    bool stopped() const { return !reason_.empty(); }
+    /// Whether nothing goes on any more, for a reason or for want of patience.
+    bool stopped() const { return !reason_.empty() || patience_.ended(); }
     const std::string& reason() const { return reason_; }
     const Real& stopped_at() const { return stopped_at_; }
 
@@ -78,26 +89,6 @@ private:
         stopped_at_ = t;
     }
 
-    /// The earliest contact of sphere i with a plane or one of the first spheres. Planes first: they are near.
-    void predict(BodyId i, const Real& now, BodyId spheres)
-    {
-        Ball<Real>& ball = balls_[i];
-        ball.partner = no_body;
-        ball.next = until_;
-        const double now_rounded = static_cast<double>(now);
-        double horizon = static_cast<double>(Real(until_ - now));
-        for (BodyId k = balls_.count(), end = balls_.bodies() + spheres; k < end; ++k) {
-            const BodyId j = k < balls_.bodies() ? k : k - balls_.bodies();
-            if (j == i || (ball.fixed && balls_.fixed(j)) || balls_.held(i, j)) continue;
-            if (j < balls_.count() && balls_.approach(i, j, now_rounded).misses(horizon)) continue;
-            const std::optional<Real> dt = balls_.contact_in(i, j, now, until_, root_solves);
-            if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) continue;
-            ball.next = now + *dt;
-            ball.partner = j;
-            horizon = static_cast<double>(*dt);
-        }
-    }
-
     /// Laws of one contact and of several: docs/impacts.md, sections 1 and 3.
     void impact(Group<Real> g, const Real& t)
     {
@@ -110,7 +101,7 @@ private:
         if (g.links.size() == 1)
             impact_alone(g, v);
         else
-            x = impact_together(g, v);
+            x = impact_together(g, v, patience_);
         if (x.empty()) return stop("the impact of several contacts was not resolved", g, t);
         if (const auto& ball = balls_[g.bodies[0]];
             !low || ball.series < 0 || series[ball.series].plane != g.links[0].partner) {
@@ -223,7 +214,7 @@ private:
         if (!kept.links.empty() && scene_.rest.policy != RestPolicy::contact)
             return stop("contacts persist, which the rest policy leaves out", g, t);
         if (kept.links.size() > most_contacts) return stop("more than 128 contacts that persist together", g, t);
-        const Persistence<Real> next = persistence(kept, v, gravity_);
+        const Persistence<Real> next = persistence(kept, v, gravity_, patience_);
         if (next.turns) return stop("contacts carry force while their normals turn, which has no closed form", g, t);
         for (std::size_t i = 0; i < kept.links.size(); ++i)
             if (next.persists[i]) balls_.hold(balls_.pair(g, kept.links[i]));
@@ -238,6 +229,7 @@ private:
     Real until_;
     Vector<Real> gravity_;
     RestThresholds rest_;
+    Patience& patience_;
     Contacts<Real> balls_;
     bool lossy_ = false;           ///< e < 1 somewhere
     std::map<Pair, Real> closed_;  ///< when contacts closed last

@@ -15,7 +15,8 @@ struct Persistence {
 
 /// Law: docs/impacts.md, section 6. \param g its links have a gap and a rate of 0, up to rounding
 template <class Real>
-Persistence<Real> persistence(const Group<Real>& g, std::vector<Vector<Real>> v, const Vector<Real>& gravity)
+Persistence<Real> persistence(const Group<Real>& g, std::vector<Vector<Real>> v, const Vector<Real>& gravity,
+                              Patience& patience)
 {
     const Matrix<Real> G = g.coupling();
     const Real speed = largest(v), pull = size(gravity);
@@ -26,7 +27,7 @@ Persistence<Real> persistence(const Group<Real>& g, std::vector<Vector<Real>> v,
         const Vector<Real> w = settled(g.relative(g.links[i], v), speed);
         q[i] += dot(w, w) * g.links[i].bend;
     }
-    const Numbers<Real> force = complement(G, q, Real(1e-25 * pull)), y = residual(G, force, q);
+    const Numbers<Real> force = complement(G, q, Real(1e-25 * pull), patience), y = residual(G, force, q);
     g.push(a, force);
 
     Persistence<Real> out{std::move(v), std::move(a), std::vector<bool>(q.size())};

@@ -56,7 +56,8 @@ void shorten(Reference& reference, const Run& run)
 
 }  // namespace
 
-Reference make_reference(const Scene& scene, double until, std::span<const double> sample_times)
+Reference make_reference(const Scene& scene, double until, std::span<const double> sample_times,
+                         const OnProgress& on_progress)
 {
     Reference result;
     result.kind = scene.spheres.size() == 1 ? Reference::Kind::closed_form : Reference::Kind::multiprecision;
@@ -64,13 +65,21 @@ Reference make_reference(const Scene& scene, double until, std::span<const doubl
     double limit = std::numeric_limits<double>::infinity();
     for (const Sphere& s : scene.spheres) limit = std::min(limit, 1e-6 * s.radius);
 
-    Twin twin{{scene, until}, {scene, until}, static_cast<BodyId>(scene.spheres.size())};
+    Patience patience(on_progress);
+    Twin twin{{scene, until, patience}, {scene, until, patience}, static_cast<BodyId>(scene.spheres.size())};
+    patience.begin("reference", until, scene.units.time.empty() ? "time units" : scene.units.time);
     double good = 0;
     // The end is looked at like a sample: what lies between the last sample and it is covered by a bound, too.
     for (std::size_t k = 0; k <= sample_times.size(); ++k) {
         const bool end = k == sample_times.size() || sample_times[k] > until;
         const double t = end ? until : sample_times[k];
         twin.advance(t);
+        if (!patience.lasts(t)) {
+            result.stopped = true;
+            result.until = good;
+            result.reason = "it was stopped" + reference::at_time(good);
+            break;
+        }
         shorten(result, twin.low);
         shorten(result, twin.high);
         if (t > result.until) break;

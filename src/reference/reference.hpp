@@ -3,6 +3,7 @@
 /// with the engine.
 #pragma once
 
+#include <carom/progress.hpp>
 #include <carom/scene.hpp>
 #include <carom/simulate.hpp>
 
@@ -33,6 +34,7 @@ struct Reference {
     Kind kind = Kind::multiprecision;
     double until = 0;                  ///< valid up to here, <= the end asked for [time]
     std::string reason;                ///< why it ends before the end asked for; empty if it does not
+    bool stopped = false;              ///< on request, at `until`
     double bound = 0;                  ///< largest of `bounds` [length]
     std::vector<double> sample_times;  ///< those asked for that are <= until
     std::vector<double>
@@ -46,7 +48,9 @@ struct Reference {
 /// \pre the scene is valid. The end is the first sample at which the bound exceeds 1e-6 of the smallest radius, or the
 /// first instant beyond which there is no closed form: contacts that carry force while their normals turn, impacts that
 /// the guard takes over, rest under another policy than `contact`, several contacts at once for another operator than
-/// `reflections` or with attenuation, or more than 128 of them. `reason` says which, who and when.
-Reference make_reference(const Scene& scene, double until, std::span<const double> sample_times);
+/// `reflections` or with attenuation, or more than 128 of them. `reason` says which, who and when. Where `on_progress`
+/// stops it, it ends at the last sample reached.
+Reference make_reference(const Scene& scene, double until, std::span<const double> sample_times,
+                         const OnProgress& on_progress = {});
 
 }  // namespace carom

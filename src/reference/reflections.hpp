@@ -32,13 +32,13 @@ Numbers<Real> combined(Numbers<Real> sum, const Matrix<Real>& K, const Numbers<R
 
 /// Contacts that hold one another: mu > 0 in the convex combination of unit columns that is nearest to 0, if that is 0.
 template <class Real>
-Chosen jammed(const Matrix<Real>& H)
+Chosen jammed(const Matrix<Real>& H, Patience& patience)
 {
     const std::size_t n = H.size();
     Matrix<Real> Q = H;  // of min |A mu|^2 + (1 - sum mu)^2 over mu >= 0
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) Q[i][j] = 1 + H[i][j] / sqrt(Real(H[i][i] * H[j][j]));
-    const Numbers<Real> mu = complement(Q, Numbers<Real>(n, Real(-1)), Real(1e-25));
+    const Numbers<Real> mu = complement(Q, Numbers<Real>(n, Real(-1)), Real(1e-25), patience);
     const Real sum = std::accumulate(mu.begin(), mu.end(), Real(0));
     Chosen D;
     for (std::size_t i = 0; i < n && 1 - sum <= jam * jam * sum; ++i)
@@ -50,10 +50,11 @@ Chosen jammed(const Matrix<Real>& H)
 /// 2012); test for jams and blend with the inelastic answer: this project. \param least what counts as closing, of c0
 /// \returns impulses
 template <class Real>
-Numbers<Real> reflections(const Matrix<Real>& G, const Numbers<Real>& c0, const Numbers<Real>& e, const Real& least)
+Numbers<Real> reflections(const Matrix<Real>& G, const Numbers<Real>& c0, const Numbers<Real>& e, const Real& least,
+                          Patience& patience)
 {
     const std::size_t m = c0.size();
-    const Numbers<Real> inelastic = complement(G, c0, Real(1e-13 * least));
+    const Numbers<Real> inelastic = complement(G, c0, Real(1e-13 * least), patience);
     Real weight = 0, restitution = 0;
     for (std::size_t i = 0; i < m; ++i)
         if (c0[i] < 0) {
@@ -73,7 +74,7 @@ Numbers<Real> reflections(const Matrix<Real>& G, const Numbers<Real>& c0, const 
         return seen;
     };
     Matrix<Real> H = G;
-    for (Chosen D = jammed(H); !D.empty(); D = jammed(H)) {
+    for (Chosen D = jammed(H, patience); !D.empty() && patience.lasts(); D = jammed(H, patience)) {
         x = combined(x, K, balance(H, rates(), D));
         Matrix<Real> rest;
         for (std::size_t j = 0; j < K.size(); ++j) {
@@ -89,12 +90,12 @@ Numbers<Real> reflections(const Matrix<Real>& G, const Numbers<Real>& c0, const 
         Chosen V;
         for (std::size_t j = 0; j < c.size(); ++j)
             if (c[j] < -least) V.push_back(j);
-        if (V.empty()) break;
+        if (V.empty() || !patience.lasts()) break;
         if (round >= 100 + 10 * m) return inelastic;
         Matrix<Real> columns;
         Numbers<Real> closing;
         for (const std::size_t j : V) columns.push_back(K[j]), closing.push_back(c[j]);
-        const Numbers<Real> once = complement(coupling(G, columns), closing, Real(1e-13 * least));
+        const Numbers<Real> once = complement(coupling(G, columns), closing, Real(1e-13 * least), patience);
         x = combined(combined(x, columns, once), columns, once);
     }
     for (std::size_t i = 0; i < m; ++i) x[i] = restitution * x[i] + (1 - restitution) * inelastic[i];

@@ -35,6 +35,7 @@ struct PlaceAll {
     const FillSpec& fill;
     const std::vector<double>& radii;
     const Scene& scene;
+    Patience& patience;
     template <class SomePattern>
     Places operator()(const SomePattern& pattern) const
     {
@@ -42,7 +43,7 @@ struct PlaceAll {
     }
     Places operator()(const RandomPattern& pattern) const
     {
-        return place(pattern, radii, scene, stream_of(fill, Purpose::position));
+        return place(pattern, radii, scene, stream_of(fill, Purpose::position), patience);
     }
 };
 
@@ -56,15 +57,21 @@ double sphere_mass(double density, double radius)
 
 Filled expand_fill(const FillSpec& fill, const Scene& scene)
 {
+    Patience endless;
+    return expand_fill(fill, scene, endless);
+}
+
+Filled expand_fill(const FillSpec& fill, const Scene& scene, Patience& patience)
+{
     CAROM_EXPECT(fill.count >= 1);
     const std::vector<double> radii = draw_radii(fill, scene.seed);
-    const Places places = std::visit(PlaceAll{fill, radii, scene}, fill.pattern);
+    const Places places = std::visit(PlaceAll{fill, radii, scene, patience}, fill.pattern);
     Filled filled;
     filled.problem = places.problem;
-    if (!filled.problem.empty()) return filled;
+    if (!filled.problem.empty() || patience.ended()) return filled;
     Random random(scene.seed, stream_of(fill, Purpose::direction));
     filled.spheres.reserve(fill.count);
-    for (std::size_t k = 0; k < fill.count; ++k) {
+    for (std::size_t k = 0; k < fill.count && patience.lasts_for(1); ++k) {
         Sphere s;
         s.id = fill.id + "/" + std::to_string(k);
         s.radius = radii[k];

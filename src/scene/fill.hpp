@@ -3,6 +3,8 @@
 /// for bit with every compiler.
 #pragma once
 
+#include "core/patience.hpp"
+
 #include <carom/scene.hpp>
 #include <cstdint>
 #include <optional>
@@ -70,6 +72,8 @@ struct Filled {
 
 /// \pre the numbers of `fill` are in range. Uses seed, spheres and planes of `scene`: random places avoid both.
 Filled expand_fill(const FillSpec& fill, const Scene& scene);
+/// Without patience: of no use, whatever it is.
+Filled expand_fill(const FillSpec& fill, const Scene& scene, Patience& patience);
 
 /// Mass of a ball: density 4/3 pi r^3.
 double sphere_mass(double density, double radius);

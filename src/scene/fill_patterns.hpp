@@ -14,6 +14,7 @@ struct Places {
 Places place(const LinePattern& line, const std::vector<double>& radii);
 Places place(const TrianglePattern& triangle, const std::vector<double>& radii);
 Places place(const CubicPattern& cubic, const std::vector<double>& radii);
-Places place(const RandomPattern& random, const std::vector<double>& radii, const Scene& scene, std::uint64_t stream);
+Places place(const RandomPattern& random, const std::vector<double>& radii, const Scene& scene, std::uint64_t stream,
+             Patience& patience);
 
 }  // namespace carom

@@ -79,7 +79,8 @@ std::string too_dense(const Region& region, const std::vector<double>& radii)
 
 }  // namespace
 
-Places place(const RandomPattern& pattern, const std::vector<double>& radii, const Scene& scene, std::uint64_t stream)
+Places place(const RandomPattern& pattern, const std::vector<double>& radii, const Scene& scene, std::uint64_t stream,
+             Patience& patience)
 {
     const Region& region = pattern.region;
     Places places;
@@ -100,6 +101,7 @@ Places place(const RandomPattern& pattern, const std::vector<double>& radii, con
     for (const std::size_t k : largest_first(radii)) {
         bool found = false;
         for (std::size_t t = 0; t < most_random_tries && tries_left > 0 && !found; ++t, --tries_left) {
+            if (!patience.lasts_for(1)) return places;
             places.centres[k] = place_in(region, radii[k], random);
             found = crowd.has_room(places.centres[k], radii[k]);
         }
@@ -110,7 +112,7 @@ Places place(const RandomPattern& pattern, const std::vector<double>& radii, con
             return places;
         }
         crowd.add(places.centres[k], radii[k]);
-        ++placed;
+        patience.reach(static_cast<double>(++placed));
     }
     return places;
 }

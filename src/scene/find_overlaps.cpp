@@ -16,22 +16,27 @@ struct Overlap {
     double depth;
 };
 
-std::vector<Overlap> overlapping_spheres(const std::vector<Sphere>& spheres)
+std::vector<Overlap> overlapping_spheres(const std::vector<Sphere>& spheres, Patience& patience)
 {
     std::vector<double> radii;
     for (const auto& s : spheres) radii.push_back(s.radius);
     std::vector<Overlap> found;
     SphereGrid grid;
+    std::size_t done = 0;
+    patience.begin("overlaps", static_cast<double>(spheres.size()), "spheres");
     for (const std::size_t i : largest_first(radii)) {
+        if (patience.ended()) break;
         const Sphere& s = spheres[i];
         grid.visit_near(s.position, s.radius, [&](std::size_t j) {
             if (s.fixed && spheres[j].fixed) return true;
             const double gap = sphere_gap(s.position, s.radius, spheres[j].position, spheres[j].radius);
             if (gap < -declared_contact * s.radius) found.push_back({std::min(i, j), std::max(i, j), -gap});
-            return found.size() < most_overlaps_counted;
+            return found.size() < most_overlaps_counted && patience.lasts_for(1);
         });
         if (found.size() >= most_overlaps_counted) break;
         grid.insert(i, s.position, s.radius);
+        patience.reach(static_cast<double>(++done));
+        patience.lasts_for(1);
     }
     std::sort(found.begin(), found.end(),
               [](const Overlap& x, const Overlap& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
@@ -49,10 +54,10 @@ bool centre_behind(const Plane& plane, const Sphere& s)
     return !plane.thickness && plane.normal.dot(s.position) < plane.offset;
 }
 
-std::vector<Overlap> overlapping_planes(const Scene& scene)
+std::vector<Overlap> overlapping_planes(const Scene& scene, Patience& patience)
 {
     std::vector<Overlap> found;
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+    for (std::size_t i = 0; i < scene.spheres.size() && patience.lasts_for(scene.planes.size()); ++i)
         for (std::size_t p = 0; p < scene.planes.size(); ++p) {
             const Sphere& s = scene.spheres[i];
             if (s.fixed || centre_inside(scene.planes[p], s)) continue;  // a centre inside is an error of its own
@@ -77,10 +82,10 @@ std::string cure(double depth)
     return "move one by at least " + enough(depth) + ", or pass --allow-overlap)";
 }
 
-std::vector<std::string> centres_inside_plates(const Scene& scene, const BodyPlaces& places)
+std::vector<std::string> centres_inside_plates(const Scene& scene, const BodyPlaces& places, Patience& patience)
 {
     std::vector<std::string> lines;
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+    for (std::size_t i = 0; i < scene.spheres.size() && patience.lasts_for(scene.planes.size()); ++i)
         for (std::size_t p = 0; p < scene.planes.size(); ++p) {
             const Sphere& s = scene.spheres[i];
             const Plane& plane = scene.planes[p];
@@ -93,18 +98,25 @@ std::vector<std::string> centres_inside_plates(const Scene& scene, const BodyPla
 
 }  // namespace
 
-std::vector<std::string> find_overlaps(const Scene& scene, bool allow_overlap, const BodyPlaces& places)
+std::vector<std::string> find_overlaps(const Scene& scene, bool allow_overlap)
 {
-    std::vector<std::string> lines = centres_inside_plates(scene, places);
+    Patience endless;
+    return find_overlaps(scene, allow_overlap, {}, endless);
+}
+
+std::vector<std::string> find_overlaps(const Scene& scene, bool allow_overlap, const BodyPlaces& places,
+                                       Patience& patience)
+{
+    std::vector<std::string> lines = centres_inside_plates(scene, places, patience);
     if (!allow_overlap) {
         const auto plane = [&](std::size_t p) { return quoted(scene.planes[p].id) + " (" + places.plane(p) + ")"; };
-        for (const auto& o : overlapping_planes(scene))
+        for (const auto& o : overlapping_planes(scene, patience))
             lines.push_back(places.sphere(o.a) + ": sphere " + quoted(scene.spheres[o.a].id) +
                             (centre_behind(scene.planes[o.b], scene.spheres[o.a])
                                  ? " is behind plane " + plane(o.b) + ", overlapping" + depth(o.depth) +
                                        " (does the plane's normal point to the free side? else " + cure(o.depth)
                                  : " overlaps plane " + plane(o.b) + depth(o.depth) + " (" + cure(o.depth)));
-        for (const auto& o : overlapping_spheres(scene.spheres))
+        for (const auto& o : overlapping_spheres(scene.spheres, patience))
             lines.push_back(places.sphere(o.b) + ": sphere " + quoted(scene.spheres[o.b].id) + " overlaps sphere " +
                             quoted(scene.spheres[o.a].id) + " (" + places.sphere(o.a) + ")" + depth(o.depth) + " (" +
                             cure(o.depth));

@@ -28,7 +28,10 @@ namespace {
 
 class ValueRules {
 public:
-    ValueRules(const Scene& scene, const BodyPlaces& places) : scene_(scene), places_(places) {}
+    ValueRules(const Scene& scene, const BodyPlaces& places, Patience& patience)
+        : scene_(scene), places_(places), patience_(patience)
+    {
+    }
 
     std::vector<std::string> broken()
     {
@@ -42,7 +45,8 @@ public:
         rest();
         impact();
         guard();
-        for (std::size_t i = 0; i < scene_.spheres.size(); ++i) sphere(places_.sphere(i), scene_.spheres[i]);
+        for (std::size_t i = 0; i < scene_.spheres.size() && patience_.lasts_for(1); ++i)
+            sphere(places_.sphere(i), scene_.spheres[i]);
         for (std::size_t p = 0; p < scene_.planes.size(); ++p) plane(places_.plane(p), scene_.planes[p]);
         for (std::size_t p = 0; p < scene_.planes.size(); ++p)
             for (std::size_t q = 0; q < p; ++q) wedge(p, scene_.planes[q]);
@@ -172,12 +176,13 @@ private:
 
     const Scene& scene_;
     const BodyPlaces& places_;
+    Patience& patience_;
     std::vector<std::string> lines_;
 };
 
 }  // namespace
 
-std::vector<std::string> find_duplicate_ids(const Scene& scene, const BodyPlaces& places)
+std::vector<std::string> find_duplicate_ids(const Scene& scene, const BodyPlaces& places, Patience& patience)
 {
     std::vector<std::string> lines;
     std::unordered_map<std::string_view, std::string> owners;
@@ -187,21 +192,23 @@ std::vector<std::string> find_duplicate_ids(const Scene& scene, const BodyPlaces
             lines.push_back(place + ": id " + quoted(id) + " is already that of " + owner->second +
                             " (ids must be unique)");
     };
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i) claim(scene.spheres[i].id, places.sphere(i));
+    for (std::size_t i = 0; i < scene.spheres.size() && patience.lasts_for(1); ++i)
+        claim(scene.spheres[i].id, places.sphere(i));
     for (std::size_t p = 0; p < scene.planes.size(); ++p) claim(scene.planes[p].id, places.plane(p));
     return lines;
 }
 
-std::vector<std::string> validate(const Scene& scene, bool allow_overlap, const BodyPlaces& places)
+std::vector<std::string> validate(const Scene& scene, bool allow_overlap, const BodyPlaces& places, Patience& patience)
 {
-    std::vector<std::string> lines = ValueRules(scene, places).broken();
-    for (auto& line : find_duplicate_ids(scene, places)) lines.push_back(std::move(line));
-    return lines.empty() ? find_overlaps(scene, allow_overlap, places) : lines;
+    std::vector<std::string> lines = ValueRules(scene, places, patience).broken();
+    for (auto& line : find_duplicate_ids(scene, places, patience)) lines.push_back(std::move(line));
+    return lines.empty() ? find_overlaps(scene, allow_overlap, places, patience) : lines;
 }
 
 std::vector<std::string> validate(const Scene& scene, bool allow_overlap)
 {
-    return validate(scene, allow_overlap, {});
+    Patience endless;
+    return validate(scene, allow_overlap, {}, endless);
 }
 
 }  // namespace carom

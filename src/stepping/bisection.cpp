@@ -34,7 +34,7 @@ public:
         // foreseen any more. What is known gets one response each, in order of time, and the overlap that is left then
         // is accepted.
         std::int64_t left = most_responses + most_responses_a_sphere * static_cast<std::int64_t>(system.bodies.size());
-        while (!queue_.empty()) {
+        while (!queue_.empty() && system.patience.lasts_for(1)) {
             Pending next = pop();
             settling_ = left <= 0;
             if (!settling_ && next.stamp != stamp(system, next.a, next.b)) continue;

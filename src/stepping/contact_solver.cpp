@@ -8,7 +8,7 @@
 
 namespace carom::stepping {
 
-int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps)
+int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps, Patience& patience)
 {
     double largest = 0;  // lacking velocity met so far
     for (int sweep = 1; sweep <= sweeps; ++sweep) {
@@ -24,7 +24,7 @@ int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps)
             largest = std::max(largest, lacking);
             change = std::max(change, std::abs(added / mass));
         }
-        if (change <= solved_contacts * largest) return sweep;
+        if (change <= solved_contacts * largest || !patience.lasts_for(rows.size())) return sweep;
     }
     return sweeps;
 }

@@ -2,6 +2,7 @@
 /// One complementarity problem for the contacts of a step.
 #pragma once
 
+#include "core/patience.hpp"
 #include "stepping/bodies.hpp"
 #include "stepping/contact.hpp"
 
@@ -21,6 +22,6 @@ struct ContactRow {
 /// 1999). Ends when a sweep changes no normal velocity by more than 1e-13 of the largest that was lacking, or after
 /// `sweeps`.
 /// \pre impulses of the rows are 0, sweeps >= 1 \return sweeps made
-int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps);
+int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps, Patience& patience);
 
 }  // namespace carom::stepping

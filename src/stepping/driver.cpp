@@ -57,14 +57,15 @@ Watch::Watch(const RunOptions& options, const Observer& observer, std::size_t sp
                                        longest_watch_period);
 }
 
-Status Watch::ask(double time) const
+Status Watch::ask(double time)
 {
-    if (observer_.on_progress && !observer_.on_progress(time)) return Status::interrupted;
+    if (answer_ != Status::reached_end) return answer_;
+    if (observer_.on_progress && !observer_.on_progress(time)) return answer_ = Status::interrupted;
     if (std::isfinite(options_.max_seconds)) {
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-        if (elapsed.count() > options_.max_seconds) return Status::time_limit;
+        if (elapsed.count() > options_.max_seconds) answer_ = Status::time_limit;
     }
-    return Status::reached_end;
+    return answer_;
 }
 
 }  // namespace carom::stepping

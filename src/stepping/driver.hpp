@@ -20,22 +20,23 @@ std::string limit_message(const char* what, double time, double until);
 /// The outcome from the state as it is.
 Outcome collect(const System& system, Outcome outcome);
 
-/// Decides now and then whether a run goes on.
+/// Decides now and then whether a run goes on. Once it does not, it stays so.
 class Watch {
 public:
     Watch(const RunOptions& options, const Observer& observer, std::size_t spheres);
     /// reached_end to go on, else why to stop.
     Status look(std::int64_t substeps, double time)
     {
-        return substeps % period_ == 0 ? ask(time) : Status::reached_end;
+        return answer_ != Status::reached_end || substeps % period_ != 0 ? answer_ : ask(time);
     }
+    /// The same at once.
+    Status ask(double time);
 
 private:
-    Status ask(double time) const;
-
     const RunOptions& options_;
     const Observer& observer_;
     std::int64_t period_;  ///< in substeps
+    Status answer_ = Status::reached_end;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -60,6 +61,7 @@ Outcome drive(const Scene& scene, const StepOptions& options, const RunOptions& 
     const Timeline timeline(until, options.dt, options.substeps);
     Sampler sampler(observer);
     Watch watch(run, observer, system.bodies.size());
+    system.patience = Patience([&](const Progress&) { return watch.ask(outcome.time) == Status::reached_end; });
     sampler.show_initial(system.bodies);
     for (std::int64_t step = 0; step < timeline.steps(); ++step) {
         for (int k = 0; k < options.substeps; ++k) {

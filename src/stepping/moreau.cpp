@@ -49,6 +49,7 @@ public:
         ahead_.clear();
         solve(system, substep.length);
         for (int round = 1; look_ahead_ && round < sweeps_ && join_ahead(system, substep.length); ++round) {
+            if (!system.patience.lasts_for(system.bodies.size())) break;
             system.bodies.velocity = free_;
             solve(system, substep.length);
         }
@@ -86,7 +87,7 @@ private:
             const double least = e > 0 ? -e * std::min(velocity_before(system, c), 0.0) : -c.gap / h;
             rows_.push_back({c, least, 0});
         }
-        solve_contacts(system.bodies, rows_, sweeps_);
+        solve_contacts(system.bodies, rows_, sweeps_, system.patience);
     }
 
     /// Contacts without restitution, open now, that these velocities would close by more than rounding. \return whether

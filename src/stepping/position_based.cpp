@@ -21,12 +21,13 @@ public:
     {
         accelerate(system.bodies, system.gravity, substep.length);  // A
         move(system.bodies, substep.length);
-        for (int pass = 0; pass < method_.passes; ++pass) {
+        for (int pass = 0; pass < method_.passes && !system.patience.ended(); ++pass) {
             detect(system, pass == 0);
             const bool respond_now = pass == 0 || !method_.literal;
             between_spheres(system, substep, respond_now);  // B
             find_walls_again(system, pass == 0);
             at_walls(system, substep, respond_now);  // C
+            system.patience.lasts_for(system.bodies.size() + pairs_.size() + walls_.size());
         }
     }
 

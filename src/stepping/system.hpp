@@ -2,6 +2,7 @@
 /// What every discrete method works on.
 #pragma once
 
+#include "core/patience.hpp"
 #include "stepping/bodies.hpp"
 #include "stepping/contact_order.hpp"
 #include "stepping/detection.hpp"
@@ -35,6 +36,7 @@ struct System {
     Detector detector;
     ContactArranger arranger;
     ImpactLog impacts;
+    Patience patience;             ///< a substep without it is left unfinished: it is the last one
     double max_penetration = 0;    ///< [length]
     std::int64_t root_solves = 0;  ///< brackets bisected
 };

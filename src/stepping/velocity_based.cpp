@@ -23,7 +23,7 @@ public:
         accelerate(system.bodies, system.gravity, substep.length);  // A
         if (!contacts_.empty()) {
             system.arranger.arrange(contacts_);
-            for (int pass = 0; pass < passes_; ++pass) {
+            for (int pass = 0; pass < passes_ && system.patience.lasts_for(contacts_.size()); ++pass) {
                 bounce(system, substep);
                 cancel(system, substep);
             }

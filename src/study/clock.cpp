@@ -7,11 +7,25 @@
 
 namespace carom::study {
 
-double thread_cpu_seconds()
+namespace {
+
+double seconds_of(clockid_t clock)
 {
     std::timespec now{};
-    if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) return 0;
+    if (clock_gettime(clock, &now) != 0) return 0;
     return static_cast<double>(now.tv_sec) + nanosecond * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+double thread_cpu_seconds()
+{
+    return seconds_of(CLOCK_THREAD_CPUTIME_ID);
+}
+
+double process_cpu_seconds()
+{
+    return seconds_of(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 double wall_seconds()

@@ -1,11 +1,13 @@
 /// \file
-/// Time spent: by this thread, and on the wall.
+/// Time spent: by this thread, by the process, and on the wall.
 #pragma once
 
 namespace carom::study {
 
 /// CPU time of the calling thread since some moment [s].
 double thread_cpu_seconds();
+/// CPU time of the process, all its threads, since some moment [s].
+double process_cpu_seconds();
 /// Steady time since some moment [s].
 double wall_seconds();
 

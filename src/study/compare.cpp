@@ -1,4 +1,5 @@
 #include "core/expect.hpp"
+#include "core/patience.hpp"
 #include "reference/reference.hpp"
 #include "study/clock.hpp"
 #include "study/row.hpp"
@@ -73,24 +74,17 @@ ReferenceSummary summary(const Reference& reference, double cpu_seconds)
     return result;
 }
 
-/// Turns the progress of one row into that of the whole comparison.
-class Progress {
-public:
-    Progress(const CompareOptions& options, const std::vector<Method>& methods) : options_(options)
-    {
-        for (const Method& method : methods) total_ += weight(method, options.until);
-    }
-    /// \return false to stop
-    bool report(const std::string& what, double within_row) const
-    {
-        return !options_.on_progress || options_.on_progress({what, (done_ + within_row) / total_});
-    }
-    void row_done(double work) { done_ += work; }
-
-private:
-    const CompareOptions& options_;
-    double done_ = 0, total_ = 0;
-};
+/// Runs for the time, and what they say of it.
+void time_row(const study::RowTask& task, const CompareOptions& options, study::RecordedRow& recorded)
+{
+    std::vector<double> times = study::time_runs(task, recorded.cpu_seconds, {options.repeats, options.repeat_seconds});
+    CompareRow& row = recorded.row;
+    row.repeats = static_cast<int>(times.size());
+    if (times.empty()) times.push_back(recorded.cpu_seconds);
+    row.cpu_seconds = study::median(times);
+    row.cpu_min = *std::min_element(times.begin(), times.end());
+    row.cpu_max = *std::max_element(times.begin(), times.end());
+}
 
 }  // namespace
 
@@ -111,40 +105,33 @@ Comparison compare_methods(const Scene& scene, const CompareOptions& options)
     result.tolerance = options.tolerance.value_or(default_tolerance(scene));
     result.sample_times = sample_grid(options.until, options.intervals);
 
-    Progress progress(options, methods);
-    progress.report("reference", 0);
     const double start = study::thread_cpu_seconds();
-    const Reference reference = make_reference(scene, options.until, result.sample_times);
+    const Reference reference = make_reference(scene, options.until, result.sample_times, options.on_progress);
     result.reference = summary(reference, study::thread_cpu_seconds() - start);
+    result.interrupted = reference.stopped;
 
+    double total = 0, done = 0;
+    for (const Method& method : methods) total += weight(method, options.until);
+    Patience patience(options.on_progress);
+    patience.begin("methods", total, "steps");
     for (const Method& method : methods) {
+        // Asked here too: a run may be too short to ask itself.
+        patience.name(label(method));
+        if (result.interrupted || !patience.lasts(done)) break;
         const double work = weight(method, options.until);
-        const std::string what = label(method);
         study::RowTask task{scene, reference, method, {}, result.sample_times, {}};
         task.run.until = options.until;
-        const double share = work / (1 + options.repeats);  // of the recorded run
-        task.on_progress = [&](double time) { return progress.report(what, share * time / options.until); };
-        // Asked here too: a run may be too short to ask itself.
-        if (!progress.report(what, 0)) {
-            result.interrupted = true;
-            break;
-        }
+        const double one_run = work / (1 + options.repeats);
+        task.on_progress = [&](double time) { return patience.lasts(done + one_run * time / options.until); };
         study::RecordedRow recorded = study::record_row(task);
-        if (recorded.interrupted) {
-            result.interrupted = true;
-            break;
-        }
-        std::vector<double> times =
-            study::time_runs(task, recorded.cpu_seconds, {options.repeats, options.repeat_seconds});
-        CompareRow& row = recorded.row;
-        row.repeats = static_cast<int>(times.size());
-        if (times.empty()) times.push_back(recorded.cpu_seconds);
-        row.cpu_seconds = study::median(times);
-        row.cpu_min = *std::min_element(times.begin(), times.end());
-        row.cpu_max = *std::max_element(times.begin(), times.end());
-        result.rows.push_back(std::move(row));
-        progress.row_done(work);
+        if (recorded.interrupted) break;
+        done += one_run;
+        task.on_progress = [&](double) { return patience.lasts(); };
+        time_row(task, options, recorded);
+        result.rows.push_back(std::move(recorded.row));
+        done += work - one_run;
     }
+    result.interrupted = result.interrupted || patience.ended();
     result.verdict = verdict(scene, result);
     return result;
 }

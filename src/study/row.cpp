@@ -173,6 +173,7 @@ RecordedRow record_row(const RowTask& task)
     watch.pause();
     result.cpu_seconds = watch.cpu();
     result.interrupted = outcome.status == Status::interrupted;
+    if (result.interrupted) return result;
 
     CompareRow& row = result.row;
     row.method = std::string(name(task.method));

@@ -17,11 +17,11 @@ struct RowTask {
     Method method;
     RunOptions run;
     std::vector<double> sample_times;         ///< the reference's are the first of them [time]
-    std::function<bool(double)> on_progress;  ///< of the recorded run
+    std::function<bool(double)> on_progress;  ///< of the recorded run, and of those for the time
 };
 
 struct RecordedRow {
-    CompareRow row;  ///< everything but the times
+    CompareRow row;  ///< everything but the times; empty if interrupted
     double cpu_seconds = 0;
     bool interrupted = false;
 };
@@ -33,7 +33,7 @@ struct TimingOptions {
 };
 
 /// CPU times of unrecorded runs; empty if one alone would take longer than the budget. Short runs are repeated back to
-/// back within one timing until they fill what the clock resolves.
+/// back within one timing until they fill what the clock resolves. If interrupted: those finished before.
 std::vector<double> time_runs(const RowTask& task, double first_seconds, const TimingOptions& options);
 
 /// Median; of an even number the mean of the middle two. \pre not empty

@@ -20,13 +20,16 @@ std::vector<double> time_runs(const RowTask& task, double first_seconds, const T
     const double wanted = resolved_by_clock / std::max(first_seconds, resolved_by_clock / most_runs_in_a_row);
     const int batch = static_cast<int>(std::ceil(std::min(std::max(wanted, 1.0), most_runs_in_a_row)));
 
+    Observer asking;
+    asking.on_progress = task.on_progress;
     std::vector<double> times;
     double spent = 0;
     for (int k = 0; k < options.repeats; ++k) {
         const double expected = times.empty() ? first_seconds * batch : spent / static_cast<double>(times.size());
         if (k > 0 && spent + expected > options.budget) break;
         const double start = thread_cpu_seconds();
-        for (int i = 0; i < batch; ++i) static_cast<void>(simulate(task.scene, task.method, task.run));
+        for (int i = 0; i < batch; ++i)
+            if (simulate(task.scene, task.method, task.run, asking).status == Status::interrupted) return times;
         const double seconds = thread_cpu_seconds() - start;
         spent += seconds;
         times.push_back(seconds / batch);

@@ -21,10 +21,11 @@ std::vector<double> radii_of(const RunData& data)
 
 }  // namespace
 
-Coverage::Coverage(const RunData& data, const Flights& flights, Findings& findings, bool all_pairs)
+Coverage::Coverage(const RunData& data, const Flights& flights, Findings& findings, Patience& patience, bool all_pairs)
     : data_(data),
       flights_(flights),
       findings_(findings),
+      patience_(patience),
       gaps_(data, flights, findings),
       all_pairs_(all_pairs || data.spheres() <= few)
 {
@@ -37,6 +38,7 @@ void Coverage::pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& 
 {
     const Quick &qa = quick_[static_cast<std::size_t>(a)], &qb = quick_[static_cast<std::size_t>(b)];
     ++findings_.out.segments;
+    patience_.lasts_for(1);
     const bool comparable = qa.acceleration == qb.acceleration && qa.acceleration >= 0;
     if (comparable) {
         const double t0 = std::max({between<double>(reference_, from), qa.start, qb.start});
@@ -201,29 +203,43 @@ void Coverage::finish(const EpochTime& end)
 {
     advance(end);
     if (all_pairs_) {
-        for (BodyId a = 0; a < data_.spheres(); ++a)
-            for (BodyId b = a + 1; b < data_.spheres(); ++b) pair(a, b, {}, end);
+        for (BodyId a = 0; a < data_.spheres() && patience_.lasts(a); ++a)
+            for (BodyId b = a + 1; b < data_.spheres() && !patience_.ended(); ++b) pair(a, b, {}, end);
     } else {
         end_slab(end);
     }
     for (BodyId i = 0; i < data_.spheres(); ++i) note_step(i, end);
-    for (BodyId i = 0; i < data_.spheres(); ++i) {
+    for (BodyId i = 0; i < data_.spheres() && patience_.lasts_for(1); ++i) {
         if (flights_.start(i) < end) planes(i, end);
         check_support(i, end, Edge::ends);
         gaps_.count(i, std::max(end, flights_.start(i)));
     }
 }
 
+EpochTime Coverage::leave()
+{
+    // Pairs: each slab that is over; without slabs each flight that is over, against everybody.
+    EpochTime until = slab_begin_;
+    if (all_pairs_) {
+        until = flights_.start(0);
+        for (BodyId i = 1; i < data_.spheres(); ++i) until = std::min(until, flights_.start(i));
+    }
+    for (BodyId i = 0; i < data_.spheres(); ++i)
+        if (flights_.start(i) < until) planes(i, until);
+    return until;
+}
+
 void Coverage::find_initial_overlaps()
 {
     const BodyId n = data_.spheres();
+    patience_.begin("initial overlaps", static_cast<double>(n), "spheres");
     if (!all_pairs_)
         for (BodyId i = 0; i < n; ++i) {
             double radius = 0;
             const Box place = box(i, {}, {}, radius);
             cells_->enter(i, place, radius);
         }
-    for (BodyId i = 0; i < n; ++i) {
+    for (BodyId i = 0; i < n && patience_.lasts(i); ++i) {
         visit(i, {}, {}, [&](BodyId other) {
             if (other > i) gaps_.note_overlap(i, other);
         });

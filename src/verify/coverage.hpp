@@ -6,6 +6,7 @@
 /// slab's end; who does not share a neighbourhood of cells in it cannot touch. Few spheres need no cells and no slabs.
 #pragma once
 
+#include "core/patience.hpp"
 #include "verify/cells.hpp"
 #include "verify/gaps.hpp"
 #include "verify/quick_look.hpp"
@@ -16,7 +17,7 @@ namespace carom::verification {
 
 class Coverage {
 public:
-    Coverage(const RunData& data, const Flights& flights, Findings& findings, bool all_pairs);
+    Coverage(const RunData& data, const Flights& flights, Findings& findings, Patience& patience, bool all_pairs);
 
     /// All spheres are on their first flights.
     void begin();
@@ -28,6 +29,8 @@ public:
     void open(BodyId body, const EpochTime& now);
     /// The run ends: everybody's flight does.
     void finish(const EpochTime& end);
+    /// The examination ends early. \pre there are spheres \return up to when nothing was left out
+    EpochTime leave();
     /// A body that several contacts hold must have them, and they must be able to push it as its flight says: exactly
     /// so where the flight begins, and where it ends but for what numeric partners have rolled in their last step.
     enum class Edge { begins, ends };
@@ -67,6 +70,7 @@ private:
     EpochTime reference_;
     std::size_t opened_ = 0;  ///< flights since the reference
     Findings& findings_;
+    Patience& patience_;
     Gaps gaps_;
     bool all_pairs_;
     std::optional<Cells> cells_;

@@ -78,6 +78,7 @@ void Coverage::begin_slab(const EpochTime& at)
 void Coverage::end_slab(const EpochTime& at)
 {
     for (const BodyId i : order_) {
+        if (patience_.ended()) return;
         const EpochTime from = std::max(slab_begin_, flights_.start(i));
         double radius = 0;
         const Box swept_box = box(i, from, at, radius);
@@ -92,6 +93,7 @@ void Coverage::advance(const EpochTime& now)
     if (all_pairs_) return;
     while (!(now < slab_end_)) {
         end_slab(slab_end_);
+        if (!patience_.lasts()) return;
         adapt();
         begin_slab(slab_end_);
     }
@@ -100,6 +102,7 @@ void Coverage::advance(const EpochTime& now)
     const double fresh = static_cast<double>(cells_->entries()) - static_cast<double>(entries_at_begin_);
     if (fresh > most_new * data_.spheres() && slab_begin_ < now) {
         end_slab(now);
+        if (patience_.ended()) return;
         slab_ = std::max(slab_ / 2, shortest);
         begin_slab(now);
     }

@@ -1,5 +1,6 @@
 #include <carom/verify.hpp>
 
+#include "core/patience.hpp"
 #include "verify/coverage.hpp"
 #include "verify/flight_audit.hpp"
 #include "verify/impact_audit.hpp"
@@ -37,10 +38,10 @@ class Verification {
 public:
     Verification(FlightSource& source, const VerifyOptions& options)
         : source_(source),
-          options_(options),
+          patience_(options.on_progress),
           data_(source.run()),
           findings_(out_, data_.units, options.most_violations),
-          coverage_(data_, flights_, findings_, options.all_pairs),
+          coverage_(data_, flights_, findings_, patience_, options.all_pairs),
           audit_(data_, flights_, coverage_, findings_)
     {
         out_.spheres = data_.spheres();
@@ -52,13 +53,22 @@ public:
     Certificate go()
     {
         check_accelerations();
+        patience_.begin("first flights", static_cast<double>(data_.spheres()), "spheres");
         Instant instant;
-        bool going = true;
-        while (going && source_.next(instant)) going = take(instant) && wanted();
-        if (going)
-            end();
-        else if (covering_)
-            coverage_.finish(now_);
+        bool understood = true;
+        while (understood && wanted() && source_.next(instant)) understood = take(instant);
+        if (!patience_.ended()) {
+            patience_.begin("last flights", static_cast<double>(data_.spheres()), "spheres");
+            if (understood)
+                end();
+            else if (covering_)
+                coverage_.finish(now_);
+        }
+        if (patience_.ended()) {
+            out_.stopped = true;
+            out_.complete = false;
+            now_ = covering_ ? coverage_.leave() : EpochTime{};
+        }
         out_.until = data_.units.seconds(now_);
         out_.event_hash = hash_.value();
         return std::move(out_);
@@ -77,9 +87,11 @@ private:
 
     bool wanted()
     {
-        constexpr std::int64_t look_every = 256;
-        if (!options_.on_progress || ++looked_ % look_every != 0) return true;
-        return options_.on_progress(data_.units.seconds(now_));
+        // The flights of the start come in large parts.
+        if (!covering_) return patience_.lasts(static_cast<double>(flights_.size()));
+        constexpr std::size_t instant = 64;  // of the patience's units; a large one asks on its way
+        patience_.reach(data_.units.seconds(now_));
+        return patience_.lasts_for(instant);
     }
 
     /// False: what follows cannot be understood any more.
@@ -131,6 +143,8 @@ private:
         source_.forget_starts();
         coverage_.begin();
         covering_ = true;
+        if (patience_.ended()) return false;
+        patience_.begin("flights", data_.run.end ? data_.run.end->time : 0, "time units");
         for (const auto& [body, off] : off_)
             check_first_speed(data_, findings_, body, off, coverage_.closed_normals(body, now_), largest_speed_);
         off_ = {};
@@ -154,6 +168,7 @@ private:
     bool change(const Instant& instant)
     {
         coverage_.advance(now_);
+        if (patience_.ended()) return false;
         for (const FlightRecord& flight : instant.flights)
             if (flight.body < 0 || flight.body >= data_.spheres()) return impossible("a flight of nobody", flight.body);
         std::span<const Event> events = instant.events;
@@ -229,7 +244,7 @@ private:
     }
 
     FlightSource& source_;
-    const VerifyOptions& options_;
+    Patience patience_;
     Certificate out_;
     RunData data_;
     Flights flights_;
@@ -241,7 +256,6 @@ private:
     EpochTime now_;
     std::vector<std::pair<BodyId, Vec3>> off_;  ///< first flights that are not quite as fast as the scene says
     double largest_speed_ = 0;                  ///< of the first flights [cells/epoch]
-    std::int64_t looked_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// A case as data: what it is, what is measured, which rule holds, and why methods fail it.
 #pragma once
 
+#include "core/patience.hpp"
 #include "study/stress/stress.hpp"
 
 #include <cstdint>
@@ -31,7 +32,8 @@ struct Case {
     double exact_limit = 0;              ///< for `event`, which claims to be exact
     std::string step;                    ///< of discrete methods: how it was chosen
     std::map<Symptom, std::string> why;  ///< causes; `explain` adds the numbers
-    std::function<Evidence(std::string_view method)> measure;
+    /// Without patience: of no use, whatever it is.
+    std::function<Evidence(std::string_view method, Patience& patience)> measure;
 };
 
 // One function a group of cases, one file each.

@@ -58,12 +58,12 @@ Case ulp_gap()
         "the bounce is too slow to undo the overlap within a step, the response is given again and turns the sphere "
         "back "
         "into the floor";
-    c.measure = [](std::string_view method) {
+    c.measure = [](std::string_view method, Patience& patience) {
         std::vector<Trial> trials{one_ulp("approaching", 1, -1), one_ulp("overtaking", 1, 0),
                                   one_ulp("parting", -1, 1),     one_ulp("side by side", 0, 0, 1),
                                   one_ulp_above_floor(1),        one_ulp_above_floor(0.5)};
         for (Trial& trial : trials) trial.count_is_figure = true;
-        return measure(trials, method);
+        return measure(trials, method, patience);
     };
     return c;
 }
@@ -123,12 +123,12 @@ Case grazing()
     c.step = "1/1000 of the time in which the sphere moves by its radius, of the rise to the apex";
     c.why[Symptom::missed] =
         "the overlap lasts 1/200 of a step at most, and none of the looks at the end of a step falls into it";
-    c.measure = [](std::string_view method) {
+    c.measure = [](std::string_view method, Patience& patience) {
         std::vector<Trial> trials{passing("spheres that touch", nearly_one), passing("spheres that pass", barely_above),
                                   apex("ceiling that is touched", nearly_one),
                                   apex("ceiling that is not", barely_above)};
         for (Trial& trial : trials) trial.count_is_figure = true;
-        return measure(trials, method);
+        return measure(trials, method, patience);
     };
     return c;
 }

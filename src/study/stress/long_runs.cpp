@@ -29,20 +29,20 @@ Scene gas_1000(double end)
     return scene;
 }
 
-Evidence measure_reversal(std::string_view method)
+Evidence measure_reversal(std::string_view method, Patience& patience)
 {
     constexpr double end = 1, step = 1.0 / 1200;
     Evidence evidence;
     const Scene scene = gas_1000(end);
     const Method stepper = make_method(method, StepOptions{.dt = step});
-    const Outcome there = simulate(scene, stepper);
+    const Outcome there = simulate(scene, stepper, {}, observed(patience));
     take_note(scene, there, evidence);
     Scene reversed = scene;
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
         reversed.spheres[i].position = there.final[i].position;
         reversed.spheres[i].velocity = -there.final[i].velocity;
     }
-    const Outcome back = simulate(reversed, stepper);
+    const Outcome back = simulate(reversed, stepper, {}, observed(patience));
     take_note(reversed, back, evidence);
     evidence.expected = there.counts.impacts;
     note_figure(evidence, position_deviation(back.final, initial_states(scene)).max / smallest_radius(scene),
@@ -68,7 +68,7 @@ Case time_reversal()
     return c;
 }
 
-Evidence measure_drift(std::string_view method)
+Evidence measure_drift(std::string_view method, Patience& patience)
 {
     constexpr double radius = 0.1, gravity = 9.81, step = 1.0 / 240;  // dropped from 1 m; numbers that round
     constexpr std::int64_t impacts = 100'000;
@@ -76,7 +76,7 @@ Evidence measure_drift(std::string_view method)
     Scene scene = empty_scene("Drift", static_cast<double>(impacts) * 2 * fall, {0, 0, -gravity});
     add_plane(scene, Vec3::UnitZ());
     add_sphere(scene, {.radius = radius, .position = {0, 0, 1 + radius}});
-    const Outcome outcome = simulate(scene, make_method(method, StepOptions{.dt = step}));
+    const Outcome outcome = simulate(scene, make_method(method, StepOptions{.dt = step}), {}, observed(patience));
     Evidence evidence;
     take_note(scene, outcome, evidence);
     evidence.expected = impacts;

@@ -44,7 +44,9 @@ Case speeds()
     c.why[Symptom::missed] =
         "the fast sphere moves by 4e9 m in a step and never meets the other: a step that sees it "
         "would be 1e-13 s, and the slow pair needs 1e16 of those";
-    c.measure = [](std::string_view method) { return measure({fast_and_slow()}, method); };
+    c.measure = [](std::string_view method, Patience& patience) {
+        return measure({fast_and_slow()}, method, patience);
+    };
     return c;
 }
 
@@ -109,10 +111,10 @@ Case gravities()
     c.why[Symptom::invented] = "a bounce too slow to undo its overlap within a step is answered again and again";
     c.why[Symptom::sank] = "a bounce too slow to undo its overlap within a step is turned back into the floor";
     c.why[Symptom::late] = "every bounce is found up to a step late, and a step costs the ball speed or gives it some";
-    c.measure = [](std::string_view method) {
+    c.measure = [](std::string_view method, Patience& patience) {
         return measure({drop("1e-300", 1e-300), drop_to_rest("1e-300", 1e-300), slide("1e-300", 1e-300),
                         drop("1e12", 1e12), drop_to_rest("1e12", 1e12), slide("1e12", 1e12)},
-                       method);
+                       method, patience);
     };
     return c;
 }

@@ -46,9 +46,9 @@ Scene moved_by(Scene scene, const Vec3& shift)
     return scene;
 }
 
-Outcome run(const Scene& scene, std::string_view method, Evidence& evidence)
+Outcome run(const Scene& scene, std::string_view method, Patience& patience, Evidence& evidence)
 {
-    Outcome outcome = simulate(scene, make_method(method, StepOptions{.dt = step}));
+    Outcome outcome = simulate(scene, make_method(method, StepOptions{.dt = step}), {}, observed(patience));
     take_note(scene, outcome, evidence);
     return outcome;
 }
@@ -67,29 +67,29 @@ void compare(const Outcome& here, const Outcome& there, const Vec3& shift, bool 
     if (by_event_hash && here.event_hash != there.event_hash) evidence.same_run = false;
 }
 
-Evidence measure_origin(std::string_view method)
+Evidence measure_origin(std::string_view method, Patience& patience)
 {
     Evidence evidence;
     const bool event = method == method_names().front();
     const Scene scene = small_gas();
     const Vec3 shift = Vec3::Constant(far);
-    const Outcome here = run(scene, method, evidence);
-    compare(here, run(moved_by(scene, shift), method, evidence), shift, event, evidence);
+    const Outcome here = run(scene, method, patience, evidence);
+    compare(here, run(moved_by(scene, shift), method, patience, evidence), shift, event, evidence);
     if (event) {
         Scene labelled = scene;
         labelled.origin = shift;
-        compare(here, run(labelled, method, evidence), Vec3::Zero(), true, evidence);
+        compare(here, run(labelled, method, patience, evidence), Vec3::Zero(), true, evidence);
     }
     return evidence;
 }
 
-Evidence measure_start(std::string_view method)
+Evidence measure_start(std::string_view method, Patience& patience)
 {
     Evidence evidence;
     Scene scene = small_gas();
-    const Outcome here = run(scene, method, evidence);
+    const Outcome here = run(scene, method, patience, evidence);
     scene.start_time.epoch = static_cast<std::int64_t>(static_cast<double>(start) / here.epoch_length);
-    const Outcome there = run(scene, method, evidence);
+    const Outcome there = run(scene, method, patience, evidence);
     compare(here, there, Vec3::Zero(), method == method_names().front(), evidence);
     return evidence;
 }

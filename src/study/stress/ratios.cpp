@@ -50,9 +50,10 @@ Case mass_ratio()
     c.why[Symptom::missed] = "in the closing gap the light sphere comes back faster than the steps";
     c.why[Symptom::energy] = "the light sphere in the closing gap passes on what each late impact got wrong";
     c.why[Symptom::late] = "each impact is found up to a step late, and the light sphere's next one amplifies it";
-    c.measure = [](std::string_view method) {
+    c.measure = [](std::string_view method, Patience& patience) {
         return measure(
-            {head_on("heavy onto light", heavy, light), head_on("light onto heavy", light, heavy), squeeze()}, method);
+            {head_on("heavy onto light", heavy, light), head_on("light onto heavy", light, heavy), squeeze()}, method,
+            patience);
     };
     return c;
 }
@@ -84,8 +85,9 @@ Case radius_ratio()
         "in a step the small sphere moves by 1000 of its radii: it turns round that deep inside the "
         "large one, where the normal is another";
     c.why[Symptom::sank] = c.why[Symptom::late];
-    c.measure = [](std::string_view method) {
-        return measure({off_centre("off centre", 0.5, 2), off_centre("near the rim", 1 - 0x1p-10, 3)}, method);
+    c.measure = [](std::string_view method, Patience& patience) {
+        return measure({off_centre("off centre", 0.5, 2), off_centre("near the rim", 1 - 0x1p-10, 3)}, method,
+                       patience);
     };
     return c;
 }

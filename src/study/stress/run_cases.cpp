@@ -37,10 +37,10 @@ std::string rule_of(const Case& c)
     return rule;
 }
 
-Result judge(const Case& c, const std::string& method)
+Result judge(const Case& c, const std::string& method, Patience& patience)
 {
     study::Stopwatch watch;
-    const Evidence evidence = c.measure(method);
+    const Evidence evidence = c.measure(method, patience);
     watch.pause();
     Result result{.method = method, .figure = evidence.figure, .worst = evidence.worst};
     result.limit = is_exact(method) ? c.exact_limit : c.limit;
@@ -85,16 +85,18 @@ Report run_cases(const Options& options)
     report.methods = options.methods.empty() ? method_names() : options.methods;
     for (const std::string& method : report.methods) make_method(method);  // throws for unknown ones
     const std::vector<Case> cases = chosen(options.only);
-    const double runs = static_cast<double>(cases.size() * report.methods.size());
+    Patience patience(options.on_progress);
+    patience.begin("stress", static_cast<double>(cases.size() * report.methods.size()), "runs");
     double done = 0;
     for (const Case& c : cases) {
         CaseResult row{c.name, c.title, c.about, c.figure, rule_of(c), c.step, {}};
         for (const std::string& method : report.methods) {
-            if (options.on_progress && !options.on_progress(c.name + ", " + method, done / runs)) {
+            patience.name(c.name + ", " + method);
+            if (patience.lasts(done)) row.results.push_back(judge(c, method, patience));
+            if (patience.ended()) {
                 report.interrupted = true;
                 return report;
             }
-            row.results.push_back(judge(c, method));
             ++done;
         }
         report.cases.push_back(std::move(row));

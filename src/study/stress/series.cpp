@@ -25,7 +25,7 @@ Case counting_pi()
         "radius in a step";
     c.why[Symptom::energy] = c.why[Symptom::missed] = c.why[Symptom::invented] = c.why[Symptom::late] =
         c.why[Symptom::sank];
-    c.measure = [](std::string_view method) {
+    c.measure = [](std::string_view method, Patience& patience) {
         constexpr double small = 0.125;
         Trial trial{
             .label = "k = 3", .scene = empty_scene("Counting pi, 3", 6), .dt = small / 1000, .count_is_figure = true};
@@ -33,7 +33,7 @@ Case counting_pi()
         add_sphere(trial.scene, {.radius = small, .position = {1 + small, 0, 0}});
         add_sphere(trial.scene, {.radius = 2 * small, .mass = 1e6, .position = {2.5, 0, 0}, .velocity = {-1, 0, 0}});
         expect_shuttle(trial);
-        return measure({trial}, method);
+        return measure({trial}, method, patience);
     };
     return c;
 }
@@ -65,7 +65,8 @@ private:
     long double e_, began_ = fall, factor_ = e_;
 };
 
-void measure_bouncing(const std::string& label, double e, std::string_view method, Evidence& evidence)
+void measure_bouncing(const std::string& label, double e, std::string_view method, Patience& patience,
+                      Evidence& evidence)
 {
     const double rest =
         static_cast<double>(fall * (1 + static_cast<long double>(e)) / (1 - static_cast<long double>(e)));
@@ -73,7 +74,7 @@ void measure_bouncing(const std::string& label, double e, std::string_view metho
     add_plane(scene, Vec3::UnitZ());
     add_sphere(scene, {.radius = radius, .position = {0, 0, 1 + radius}});
     Bouncing exact(e);
-    Observer observer;
+    Observer observer = observed(patience);
     observer.sample_times = sample_grid(scene.end_time, looks);
     observer.on_sample = [&](std::size_t, double time, std::span<const BodyState> states) {
         note_figure(evidence, std::abs(states[0].position.z() - radius - exact.height(time)) / radius,
@@ -102,10 +103,10 @@ Case zeno()
     c.why[Symptom::late] =
         "each bounce is found up to a step late and leaves with the wrong speed: after hundreds of "
         "bounces at e = 0.999 nothing of the phase is left";
-    c.measure = [](std::string_view method) {
+    c.measure = [](std::string_view method, Patience& patience) {
         Evidence evidence;
-        measure_bouncing("e = 0.01", 0.01, method, evidence);
-        measure_bouncing("e = 0.999", 0.999, method, evidence);
+        measure_bouncing("e = 0.01", 0.01, method, patience, evidence);
+        measure_bouncing("e = 0.999", 0.999, method, patience, evidence);
         return evidence;
     };
     return c;

@@ -2,7 +2,8 @@
 /// Stress: stiff and extreme cases, each with a rule that a method passes or fails.
 #pragma once
 
-#include <functional>
+#include <carom/progress.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,8 +56,7 @@ struct Report {
 struct Options {
     std::vector<std::string> methods;  ///< as `make_method`; empty: all
     std::optional<std::string> only;   ///< name of a case; none: all
-    /// May be empty; gets the words and the fraction done in [0, 1]; false interrupts before the next run.
-    std::function<bool(const std::string& what, double fraction)> on_progress;
+    OnProgress on_progress;            ///< stage "stress", in runs of one method on one case; false interrupts
 };
 
 /// Names of the cases, in their order.

@@ -51,20 +51,28 @@ void take_note(const Scene& scene, const Outcome& outcome, Evidence& evidence)
         study::keep_largest(evidence.energy, energy_change(scene, initial_states(scene), outcome.final));
 }
 
-Evidence measure(const std::vector<Trial>& trials, std::string_view method)
+Observer observed(Patience& patience)
+{
+    Observer observer;
+    observer.on_progress = [&patience](double) { return patience.lasts(); };
+    return observer;
+}
+
+Evidence measure(const std::vector<Trial>& trials, std::string_view method, Patience& patience)
 {
     Evidence evidence;
     for (const Trial& trial : trials) {
+        if (patience.ended()) break;
         std::vector<std::optional<double>> first(trial.first.size());
-        Observer observer;
+        Observer observer = observed(patience);
         observer.on_event = [&](const Event& event) {
             for (std::size_t k = 0; k < first.size(); ++k)
                 if (!first[k] && is_between(event, trial.first[k])) first[k] = event.time;
         };
         RunOptions options;
         options.max_seconds = longest_run;
-        const Outcome outcome = simulate(trial.scene, make_method(method, StepOptions{.dt = trial.dt}), options,
-                                         trial.first.empty() ? Observer{} : observer);
+        const Outcome outcome =
+            simulate(trial.scene, make_method(method, StepOptions{.dt = trial.dt}), options, observer);
         take_note(trial.scene, outcome, evidence);
         if (trial.impacts) {
             const std::int64_t surplus = outcome.counts.impacts - *trial.impacts;

@@ -38,7 +38,10 @@ struct Trial {
 };
 
 /// Run the trials. The figure is the largest error in them.
-Evidence measure(const std::vector<Trial>& trials, std::string_view method);
+Evidence measure(const std::vector<Trial>& trials, std::string_view method, Patience& patience);
+
+/// An observer of a run that ends with the patience.
+Observer observed(Patience& patience);
 
 /// Add what the outcome says, whatever is asked: did it end well, how deep, what became of the energy.
 void take_note(const Scene& scene, const Outcome& outcome, Evidence& evidence);

@@ -199,7 +199,7 @@ TEST_CASE("the command line goes before the scene, the scene before what is buil
                                     {"dt", std::vector<std::string>{"1/60", "0.001"}},
                                     {"repeats", 5.0},
                                     {"literal", true}});
-    const CompareOptions from_scene = compare_settings({}, {}, scene, "ball.json");
+    const CompareOptions from_scene = compare_settings({}, {}, scene, "ball.json").compare;
     CHECK(from_scene.methods == std::vector<std::string>{"event", "velocity"});
     CHECK(from_scene.dt == std::vector<double>{1.0 / 60, 0.001});
     CHECK(from_scene.repeats == 5);
@@ -209,14 +209,14 @@ TEST_CASE("the command line goes before the scene, the scene before what is buil
 
     CompareArguments args;
     args.given = {{"methods", "pbd"}, {"dt", "1/10"}, {"until", "2"}, {"tolerance", "1e-4"}, {"substeps", "1,4"}};
-    const CompareOptions typed = compare_settings(args, {}, scene, "ball.json");
+    const CompareOptions typed = compare_settings(args, {}, scene, "ball.json").compare;
     CHECK(typed.methods == std::vector<std::string>{"pbd"});
     CHECK(typed.dt == std::vector<double>{0.1});
     CHECK(typed.until == 2);
     CHECK(typed.tolerance == std::optional<double>(1e-4));
     CHECK(typed.substeps == std::vector<int>{1, 4});
 
-    const CompareOptions built_in = compare_settings({}, {}, scene_with({}), "ball.json");
+    const CompareOptions built_in = compare_settings({}, {}, scene_with({}), "ball.json").compare;
     CHECK(built_in.methods == method_names());
     CHECK(built_in.dt == std::vector<double>{1.0 / 60, 1.0 / 240, 1.0 / 1000});
     CHECK(built_in.repeats == 3);

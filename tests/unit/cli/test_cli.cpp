@@ -73,7 +73,7 @@ TEST_CASE("run says what happened, as a table or as JSON and nothing else", "[cl
     const Folder folder;
     const Said table = carom_tool({"run", folder / "ball.json"});
     CHECK(table.code == exit_ok);
-    CHECK_THAT(table.out, Contains("reached_end") && Contains("impacts") && Contains("CPU time"));
+    CHECK_THAT(table.out, Contains("reached_end") && Contains("impacts") && Contains("for the whole command"));
     CHECK(table.err.empty());
     const Said data = carom_tool({"run", folder / "ball.json", "--json"});
     CHECK(data.code == exit_ok);

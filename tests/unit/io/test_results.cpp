@@ -61,10 +61,11 @@ bool has_all(const json& object, std::initializer_list<const char*> keys)
 TEST_CASE("a run's JSON has every key of the contract", "[results]")
 {
     const json run = json::parse(io::run_json(two_balls(), EventDriven{}, some_run()));
-    CHECK(has_all(
-        run, {"format",      "scene",        "method",     "kernel",   "number",          "status",         "time",
-              "spheres",     "counts",       "energy",     "momentum", "max_penetration", "missed_impacts", "escaped",
-              "cpu_seconds", "wall_seconds", "event_hash", "pressure", "rest_times",      "final"}));
+    CHECK(has_all(run,
+                  {"format",         "scene",      "method",      "kernel",       "number",          "status",
+                   "time",           "spheres",    "counts",      "energy",       "momentum",        "max_penetration",
+                   "missed_impacts", "escaped",    "cpu_seconds", "wall_seconds", "command_seconds", "event_hash",
+                   "pressure",       "rest_times", "final"}));
     CHECK(has_all(run["counts"], {"impacts", "clusters", "capped", "rests", "releases", "guarded", "settles",
                                   "cell_crossings", "list_rebuilds", "stale", "pair_tests", "root_solves"}));
     CHECK(has_all(run["energy"], {"initial", "final", "max_relative_drift"}));
@@ -202,7 +203,7 @@ TEST_CASE("compare.json has the CSV's keys in each row, the reference and the ve
     row.missed = {{0.5, 0, 2}};
     comparison.rows = {row};
     const json parsed = json::parse(io::compare_json(two_balls(), comparison));
-    CHECK(has_all(parsed, {"format", "scene", "reference", "rows", "verdict"}));
+    CHECK(has_all(parsed, {"format", "scene", "reference", "rows", "verdict", "command_seconds", "stopped"}));
     CHECK(has_all(parsed["reference"], {"kind", "bound", "until", "reason"}));
     CHECK(parsed["format"] == "carom-compare/1");
     CHECK(parsed["verdict"] == "One. Two.");

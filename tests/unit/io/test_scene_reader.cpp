@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <set>
 
 #include "problems_of.hpp"
 
@@ -180,4 +181,33 @@ TEST_CASE("a seed given by the caller replaces that of the scene", "[io]")
     CHECK(own.seed == 5);
     CHECK(other.seed == 6);
     CHECK(own.spheres[0].position != other.spheres[0].position);
+}
+
+TEST_CASE("reading is stopped where it takes long: in the text, in a fill, in the search for overlaps")
+{
+    const std::string many = [] {
+        std::string text = R"({"format": "carom-scene/1", "end_time": 1, "spheres": [)";
+        for (int i = 0; i < 5000; ++i)
+            text += (i > 0 ? "," : "") + (R"({"radius": 0.1, "position": [)" + std::to_string(i) + ", 0, 0]}");
+        return text + "]}";
+    }();
+    const std::string fill = R"({"format": "carom-scene/1", "end_time": 1, "fill": [{"id": "atom", "pattern": "random",
+        "count": 5000, "radius": 0.1, "min": [0, 0, 0], "max": [10, 10, 10]}]})";
+    std::set<std::string> stages;
+    ReadOptions watched;
+    watched.on_progress = [&](const Progress& now) {
+        CHECK(now.fraction >= 0);
+        CHECK(now.fraction <= 1);
+        stages.insert(now.stage);
+        return true;
+    };
+    CHECK(parse_scene(many, "many.json", watched).spheres.size() == 5000);
+    CHECK(parse_scene(fill, "fill.json", watched).spheres.size() == 5000);
+    CHECK(stages == std::set<std::string>{"scene file", "spheres", "atom", "overlaps"});
+    for (const std::string& stage : stages) {
+        CAPTURE(stage);
+        ReadOptions stopped;
+        stopped.on_progress = [&](const Progress& now) { return now.stage != stage; };
+        CHECK_THROWS_AS(parse_scene(stage == "atom" ? fill : many, "f.json", stopped), Stopped);
+    }
 }

@@ -16,7 +16,8 @@ using ExactVector = reference::Vector<Real>;
 
 inline Exact exactly(const Scene& scene, double until)
 {
-    Exact run(scene, until);
+    static Patience endless;  // the run that is returned keeps a reference to it
+    Exact run(scene, until, endless);
     run.advance(until);
     return run;
 }

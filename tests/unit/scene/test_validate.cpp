@@ -143,7 +143,8 @@ TEST_CASE("places, where given, replace the indices in messages", "[scene]")
     Scene s = one_ball();
     s.spheres[0].mass = 0;
     s.planes[0].offset = std::numeric_limits<double>::infinity();
-    const auto lines = validate(s, false, {{"/fill/3"}, {"/box"}});
+    Patience endless;
+    const auto lines = validate(s, false, {{"/fill/3"}, {"/box"}}, endless);
     REQUIRE(lines.size() == 2);
     CHECK_THAT(lines[0], StartsWith("/fill/3/mass: "));
     CHECK_THAT(lines[1], StartsWith("/box/offset: "));

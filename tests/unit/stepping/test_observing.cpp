@@ -140,6 +140,33 @@ TEST_CASE("The observer can stop a run, and the wall clock does", "[stepping]")
     }
 }
 
+TEST_CASE("A substep of many passes is left when the run is to stop", "[stepping]")
+{
+    // Overlapping spheres between walls that leave no room: no pass is the last one by itself.
+    std::vector<Sphere> row;
+    for (int i = 0; i < 100; ++i) row.push_back(ball(0.1, Vec3(0.15 * i, 0, 0), Vec3(i % 2 == 0 ? 1 : -1, 0, 0)));
+    const Scene scene = scene_of(row, {wall(Vec3(1, 0, 0), 0), wall(Vec3(-1, 0, 0), -14.85)});
+    constexpr int most = 2'000'000'000;
+    for (const char* method : {"pbd", "velocity"}) {
+        StepOptions options = steps(1e-3);
+        options.passes = most;
+        RunOptions limited = until(1);
+        limited.max_seconds = 0.05;
+        const Outcome outcome = simulate(scene, make_method(method, options), limited);
+        CAPTURE(method);
+        CHECK(outcome.status == Status::time_limit);
+        CHECK(outcome.counts.steps == 1);
+        CHECK(outcome.final.size() == row.size());
+    }
+    // Passes that find nothing take time as well.
+    StepOptions options = steps(1e-3);
+    options.passes = most;
+    RunOptions limited = until(1);
+    limited.max_seconds = 0.05;
+    const Scene apart = scene_of({ball(0.1, Vec3(0, 0, 0)), ball(0.1, Vec3(1, 0, 0))});
+    CHECK(simulate(apart, make_method("pbd", options), limited).status == Status::time_limit);
+}
+
 TEST_CASE("A position that is no longer finite ends the run and is named", "[stepping]")
 {
     const Scene scene = scene_of({ball(0.1, Vec3(0, 0, 0)), ball(0.1, Vec3(1e308, 0, 0), Vec3(1e307, 0, 0))});

@@ -151,7 +151,10 @@ TEST_CASE("every combination of step, substeps and passes is a row, and progress
     options.repeats = 1;
     double last = 0;
     bool monotonic = true;
-    options.on_progress = [&](const CompareProgress& now) {
+    std::string stage;
+    options.on_progress = [&](const Progress& now) {
+        if (now.stage != stage) last = 0;
+        stage = now.stage;
         monotonic = monotonic && now.fraction >= last && now.fraction <= 1;
         last = now.fraction;
         return true;
@@ -170,7 +173,7 @@ TEST_CASE("an interrupted comparison keeps the rows that were finished", "[compa
 {
     const Scene scene = bouncing_ball(0.8);
     CompareOptions options = options_for(scene, {"event", "pbd", "velocity"}, {0.01});
-    options.on_progress = [&](const CompareProgress& now) { return now.what.substr(0, 8) != "velocity"; };
+    options.on_progress = [&](const Progress& now) { return now.what.substr(0, 8) != "velocity"; };
     const Comparison result = compare_methods(scene, options);
     CHECK(result.interrupted);
     CHECK(result.rows.size() == 2);
