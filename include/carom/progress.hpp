@@ -1,5 +1,5 @@
 /// \file
-/// Progress of long work: it is told now and then to whoever waits, whose answer says whether to go on.
+/// Progress of long work: it is told now and then to a function, whose answer says whether to go on.
 #pragma once
 
 #include <exception>
@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// Where long work has come to.
+/// The stage that long work has come to.
 struct Progress {
     std::string stage;    ///< "reference", "overlaps": amount and fraction begin anew with each
     std::string what;     ///< what is being done in the stage, for people; may change within it

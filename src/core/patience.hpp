@@ -1,6 +1,6 @@
 /// \file
-/// Patience of whoever waits for long work. Loops that can take long ask it and leave as soon as it has ended; what
-/// they leave behind is incomplete, and their caller must look whether it is.
+/// Patience with long work. Loops that can take long ask it and leave as soon as it has ended; their results are then
+/// incomplete, and their caller must look whether they are.
 #pragma once
 
 #include "core/limits.hpp"
@@ -19,16 +19,16 @@ public:
     Patience() = default;  ///< without end
     explicit Patience(OnProgress ask) : ask_(std::move(ask)) {}
 
-    /// A stage of work begins, of `total` >= 0 `unit`s.
+    /// Begins a stage of work, of `total` >= 0 `unit`s.
     void begin(const std::string& stage, double total, const std::string& unit = "")
     {
         now_ = {stage, stage, 0, 0, unit};
         total_ = total;
     }
-    /// What goes on in the stage from here on.
+    /// Names what goes on in the stage from here on.
     void name(const std::string& what) { now_.what = what; }
 
-    /// So much of the stage is done; nobody is asked.
+    /// Notes how much of the stage is done, without a question.
     void reach(double done)
     {
         now_.amount = done;
