@@ -50,10 +50,12 @@ int do_check(const CheckArguments& args, const GlobalArguments& global, const Co
     std::vector<io::CheckedScene> checked;
     int code = exit_ok;
     for (const Task& task : tasks) {
-        const CheckReport report = check_scene(task.scene, [&](double time) {
+        CheckOptions options;
+        options.on_progress = [&](double time) {
             progress.show(task.file.stem().string(), time / task.scene.end_time);
             return !guard.interrupted();
-        });
+        };
+        const CheckReport report = check_scene(task.scene, options);
         progress.clear();
         const Outcome& outcome = report.run.study.outcome;
         if (outcome.status == Status::interrupted) return exit_interrupted;
