@@ -5,9 +5,12 @@
 #include "cli/progress.hpp"
 #include "cli/tables.hpp"
 #include "io/stress_files.hpp"
-#include "study/stress/stress.hpp"
+#include "study/stress.hpp"
 
 #include <carom/error.hpp>
+#include <carom/io.hpp>
+
+#include <fmt/format.h>
 
 #include <ostream>
 
@@ -15,19 +18,33 @@ namespace carom::cli {
 
 namespace {
 
+std::vector<Scene> stress_scenes()
+{
+    std::vector<Scene> scenes;
+    for (const std::filesystem::path& file : scene_files(scene_folder() / "stress"))
+        if (Scene scene = read_scene(file); scene.stress) scenes.push_back(std::move(scene));
+    return scenes;
+}
+
+/// All cases, or the one asked for.
+std::vector<stress::Case> chosen_cases(const std::string& only)
+{
+    std::vector<stress::Case> cases = stress::cases_of(stress_scenes());
+    if (only.empty()) return cases;
+    std::vector<std::string> names;
+    for (const stress::Case& each : cases) names.push_back(each.words.case_name);
+    std::erase_if(cases, [&](const stress::Case& each) { return each.words.case_name != only; });
+    if (cases.empty())
+        throw UsageError(fmt::format("--case: unknown case \"{}\" (take {})", only, fmt::join(names, ", ")));
+    return cases;
+}
+
 stress::Options stress_settings(const StressArguments& args)
 {
     stress::Options options;
     const CommandDefaults none;
     options.methods = Choices(args.given, none, "").methods("methods", {});
-    if (args.only.empty()) return options;
-    options.only = args.only;
-    std::string known;
-    for (const std::string& each : stress::case_names()) {
-        if (each == args.only) return options;
-        known += (known.empty() ? "" : ", ") + each;
-    }
-    throw UsageError("--case: unknown case \"" + args.only + "\" (take " + known + ")");
+    return options;
 }
 
 }  // namespace
@@ -35,13 +52,14 @@ stress::Options stress_settings(const StressArguments& args)
 int do_stress(const StressArguments& args, const GlobalArguments& global, const Console& console)
 {
     stress::Options options = stress_settings(args);
+    const std::vector<stress::Case> cases = chosen_cases(args.only);
     const InterruptGuard guard;
     ProgressLine progress(console, global);
     options.on_progress = [&](const std::string& what, double fraction) {
         progress.show(what, fraction);
         return !guard.interrupted();
     };
-    const stress::Report report = stress::run_cases(options);
+    const stress::Report report = stress::run_cases(cases, options);
     progress.clear();
 
     const std::string json = io::stress_json(report);

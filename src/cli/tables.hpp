@@ -2,7 +2,7 @@
 /// Results as text for people.
 #pragma once
 
-#include "study/stress/stress.hpp"
+#include "study/stress.hpp"
 
 #include <carom/checks.hpp>
 #include <carom/study.hpp>

@@ -1,5 +1,6 @@
 #include "io/stress_files.hpp"
 
+#include "core/names.hpp"
 #include "io/numbers.hpp"
 
 #include <nlohmann/json.hpp>
@@ -16,7 +17,7 @@ Json result_json(const stress::Result& result)
             {"passed", result.passed},
             {"figure", result.figure},
             {"limit", result.limit},
-            {"symptom", stress::name(result.symptom)},
+            {"symptom", name_of(result.symptom, symptom_names)},
             {"worst", result.worst},
             {"reason", result.reason},
             {"cpu_seconds", result.seconds}};
@@ -39,8 +40,8 @@ std::string stress_csv(const stress::Report& report)
     for (const stress::CaseResult& c : report.cases)
         for (const stress::Result& r : c.results)
             text += c.name + "," + r.method + "," + (r.passed ? "true" : "false") + "," + number_text(r.figure) + "," +
-                    number_text(r.limit) + "," + stress::name(r.symptom) + "," + csv_field(r.worst) + "," +
-                    csv_field(r.reason) + "," + number_text(r.seconds) + "\n";
+                    number_text(r.limit) + "," + std::string(name_of(r.symptom, symptom_names)) + "," +
+                    csv_field(r.worst) + "," + csv_field(r.reason) + "," + number_text(r.seconds) + "\n";
     return text;
 }
 

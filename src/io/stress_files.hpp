@@ -2,7 +2,7 @@
 /// The stress report as stress.csv and stress.json.
 #pragma once
 
-#include "study/stress/stress.hpp"
+#include "study/stress.hpp"
 
 #include <string>
 

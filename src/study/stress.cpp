@@ -1,0 +1,238 @@
+#include "study/stress.hpp"
+
+#include "core/names.hpp"
+#include "study/clock.hpp"
+#include "study/largest.hpp"
+#include "study/words.hpp"
+
+#include <carom/checks.hpp>
+#include <carom/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::stress {
+
+namespace {
+
+using study::two_digits;
+
+constexpr double longest_run = 20;    ///< a discrete run that takes longer is given up [s]
+constexpr double deep = 0.5;          ///< overlap that counts as having sunk [smallest radius]
+constexpr double much_energy = 0.01;  ///< change that counts as not kept [kinetic energy]
+
+bool is_exact(const std::string& method)
+{
+    return method == method_names().front();
+}
+
+/// Error of a check in units of tolerance / exact; in its own unit where nothing but 0 is right.
+double figure_of(const CheckResult& result, double exact)
+{
+    if (!result.error) return std::numeric_limits<double>::infinity();
+    return result.tolerance > 0 ? *result.error / (result.tolerance / exact) : *result.error;
+}
+
+void note_figure(Evidence& evidence, double value, const std::string& where)
+{
+    const double before = evidence.figure;
+    study::keep_largest(evidence.figure, value);
+    if (!(evidence.figure == before) && !std::isnan(before)) evidence.worst = where;
+}
+
+void note_end(Evidence& evidence, const Scene& scene, const Outcome& outcome)
+{
+    const bool finite = std::all_of(outcome.final.begin(), outcome.final.end(), [](const BodyState& s) {
+        return s.position.allFinite() && s.velocity.allFinite();
+    });
+    if (outcome.status != Status::reached_end)
+        evidence.stopped = outcome.message.empty() ? name(outcome.status) : outcome.message;
+    else if (!finite)
+        evidence.stopped = "ended in numbers that are not finite";
+    study::keep_largest(evidence.penetration, outcome.max_penetration / smallest_radius(scene));
+    const std::vector<BodyState> start = initial_states(scene);
+    const double kinetic = std::max(kinetic_energy(scene, start), kinetic_energy(scene, outcome.final));
+    if (conserves_energy(scene) && kinetic > 0)
+        study::keep_largest(evidence.energy, std::abs(energy_difference(scene, outcome.final, start)) / kinetic);
+}
+
+void note_impacts(Evidence& evidence, std::int64_t expected, std::int64_t found)
+{
+    evidence.expected += expected;
+    evidence.missed += std::max<std::int64_t>(0, expected - found);
+    evidence.invented += std::max<std::int64_t>(0, found - expected);
+}
+
+Evidence measure(const Case& which, const std::string& method)
+{
+    Evidence evidence;
+    for (const Scene& scene : which.scenes) {
+        CheckOptions options;
+        options.method = make_method(method, StepOptions{.dt = scene.stress->dt});
+        if (!is_exact(method)) options.max_seconds = longest_run;
+        const CheckReport report = check_scene(scene, options);
+        const Outcome& outcome = report.run.study.outcome;
+        note_end(evidence, scene, outcome);
+        for (std::size_t k = 0; k < scene.checks.size(); ++k) {
+            const Check& check = scene.checks[k];
+            if (check.type == CheckType::rest_time && !is_exact(method)) continue;  // discrete methods know no rest
+            if (check.type == CheckType::event_count && check.kind == EventKind::impact)
+                note_impacts(evidence, check.count, outcome.counts.impacts);
+            if (const auto& repeat = report.run.sights[k].repeat; repeat && repeat->other_events)
+                evidence.other_events = true;
+            note_figure(evidence, figure_of(report.results[k], scene.stress->exact),
+                        (which.scenes.size() > 1 ? scene.name + ", " : "") + report.results[k].what);
+        }
+    }
+    return evidence;
+}
+
+/// The numbers of a symptom.
+std::string finding(const Evidence& evidence, Symptom symptom)
+{
+    switch (symptom) {
+        case Symptom::stopped:
+            return evidence.stopped;
+        case Symptom::other_run:
+            return "the events are not those of the same scene elsewhere";
+        case Symptom::missed:
+            return "missed " + std::to_string(evidence.missed) + " of " + std::to_string(evidence.expected) +
+                   " impacts";
+        case Symptom::invented:
+            return "made " + std::to_string(evidence.invented) + " impacts too many";
+        case Symptom::sank:
+            return "sank " + two_digits(evidence.penetration) + " radii deep";
+        case Symptom::energy:
+            return "energy off by " + two_digits(evidence.energy) + " of the kinetic energy";
+        case Symptom::late:
+            return "off by " + two_digits(evidence.figure) +
+                   (evidence.worst.empty() ? "" : " (" + evidence.worst + ")");
+        case Symptom::none:
+            break;
+    }
+    return "";
+}
+
+/// Causes that hold wherever a case names none of its own.
+std::string general_cause(Symptom symptom)
+{
+    switch (symptom) {
+        case Symptom::missed:
+            return "contacts that begin and end between two looks are not seen";
+        case Symptom::invented:
+            return "an overlap that is not undone within a step is answered again";
+        case Symptom::sank:
+            return "the surfaces pass each other by that much in a step";
+        case Symptom::energy:
+            return "impacts act at the end of a step, not where the surfaces meet";
+        case Symptom::late:
+            return "an impact is found up to a step late";
+        default:
+            return "";
+    }
+}
+
+std::string explain(const StressPart& words, const Evidence& evidence, Symptom symptom)
+{
+    if (symptom == Symptom::none) return "";
+    const auto own = words.causes.find(symptom);
+    const std::string cause = own != words.causes.end() ? own->second : general_cause(symptom);
+    return finding(evidence, symptom) + (cause.empty() ? "" : ": " + cause);
+}
+
+std::string at_most(double limit)
+{
+    return limit > 0 ? "at most " + two_digits(limit) : "0";
+}
+
+std::string rule_of(const StressPart& words)
+{
+    std::string rule = "the figure is " + at_most(words.limit);
+    if (words.exact != words.limit) rule += "; for event, which claims to be exact, " + at_most(words.exact);
+    return rule;
+}
+
+Result judge(const Case& which, const std::string& method)
+{
+    study::Stopwatch watch;
+    const Evidence evidence = measure(which, method);
+    watch.pause();
+    Result result;
+    result.method = method;
+    result.figure = evidence.figure;
+    result.worst = evidence.worst;
+    result.limit = is_exact(method) ? which.words.exact : which.words.limit;
+    result.symptom = diagnose(evidence, result.limit);
+    result.passed = result.symptom == Symptom::none;
+    result.reason = explain(which.words, evidence, result.symptom);
+    result.seconds = watch.cpu();
+    return result;
+}
+
+}  // namespace
+
+std::vector<Case> cases_of(const std::vector<Scene>& scenes)
+{
+    std::map<std::string, Case> cases;
+    for (const Scene& scene : scenes) {
+        const StressPart& part = *scene.stress;
+        auto& [words, about, members] = cases.try_emplace(part.case_name, Case{part, "", {}}).first->second;
+        if (words.exact != part.exact || words.limit != part.limit)
+            throw InputError({"stress case \"" + part.case_name + "\": its scenes give different limits (see \"" +
+                              scene.name + "\")"});
+        if (words.title.empty()) words.title = part.title;
+        if (words.figure.empty()) words.figure = part.figure;
+        if (words.step.empty()) words.step = part.step;
+        words.causes.insert(part.causes.begin(), part.causes.end());
+        about += (about.empty() ? "" : " ") + scene.description;
+        members.push_back(scene);
+    }
+    std::vector<Case> list;
+    for (auto& [name, each] : cases) list.push_back(std::move(each));
+    return list;
+}
+
+Symptom diagnose(const Evidence& evidence, double limit)
+{
+    if (!evidence.stopped.empty()) return Symptom::stopped;
+    if (evidence.other_events) return Symptom::other_run;
+    if (evidence.figure <= limit) return Symptom::none;
+    if (!(evidence.penetration < deep)) return Symptom::sank;
+    if (!(evidence.energy < much_energy)) return Symptom::energy;
+    if (evidence.missed > 0) return Symptom::missed;
+    if (evidence.invented > 0) return Symptom::invented;
+    return Symptom::late;
+}
+
+bool Report::event_passes() const
+{
+    return std::all_of(cases.begin(), cases.end(), [](const CaseResult& c) {
+        return std::all_of(c.results.begin(), c.results.end(),
+                           [](const Result& r) { return r.passed || !is_exact(r.method); });
+    });
+}
+
+Report run_cases(const std::vector<Case>& cases, const Options& options)
+{
+    Report report;
+    report.methods = options.methods.empty() ? method_names() : options.methods;
+    for (const std::string& method : report.methods) make_method(method);  // throws for unknown ones
+    const double runs = static_cast<double>(cases.size() * report.methods.size());
+    double done = 0;
+    for (const Case& each : cases) {
+        const StressPart& words = each.words;
+        CaseResult row{words.case_name, words.title, each.about, words.figure, rule_of(words), words.step, {}};
+        for (const std::string& method : report.methods) {
+            if (options.on_progress && !options.on_progress(words.case_name + ", " + method, done / runs)) {
+                report.interrupted = true;
+                return report;
+            }
+            row.results.push_back(judge(each, method));
+            ++done;
+        }
+        report.cases.push_back(std::move(row));
+    }
+    return report;
+}
+
+}  // namespace carom::stress
