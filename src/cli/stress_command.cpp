@@ -39,27 +39,20 @@ std::vector<stress::Case> chosen_cases(const std::string& only)
     return cases;
 }
 
-stress::Options stress_settings(const StressArguments& args)
-{
-    stress::Options options;
-    const CommandDefaults none;
-    options.methods = Choices(args.given, none, "").methods("methods", {});
-    return options;
-}
-
 }  // namespace
 
 int do_stress(const StressArguments& args, const GlobalArguments& global, const Console& console)
 {
-    stress::Options options = stress_settings(args);
-    const std::vector<stress::Case> cases = chosen_cases(args.only);
+    const CommandDefaults none;
+    const std::vector<std::string> methods = Choices(args.given, none, "").methods("methods", {});
+    std::vector<stress::Case> cases = chosen_cases(args.only);
     const InterruptGuard guard;
     ProgressLine progress(console, global);
-    options.on_progress = [&](const std::string& what, double fraction) {
-        progress.show(what, fraction);
-        return !guard.interrupted();
-    };
-    const stress::Report report = stress::run_cases(cases, options);
+    const stress::Report report =
+        stress::run_cases(std::move(cases), methods, [&](const std::string& what, double fraction) {
+            progress.show(what, fraction);
+            return !guard.interrupted();
+        });
     progress.clear();
 
     const std::string json = io::stress_json(report);

@@ -9,6 +9,7 @@
 #include <carom/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace carom::stress {
@@ -90,53 +91,34 @@ Evidence measure(const Case& which, const std::string& method)
 /// The numbers of a symptom.
 std::string finding(const Evidence& evidence, Symptom symptom)
 {
-    switch (symptom) {
-        case Symptom::stopped:
-            return evidence.stopped;
-        case Symptom::other_run:
-            return "the events are not those of the same scene elsewhere";
-        case Symptom::missed:
-            return "missed " + std::to_string(evidence.missed) + " of " + std::to_string(evidence.expected) +
-                   " impacts";
-        case Symptom::invented:
-            return "made " + std::to_string(evidence.invented) + " impacts too many";
-        case Symptom::sank:
-            return "sank " + two_digits(evidence.penetration) + " radii deep";
-        case Symptom::energy:
-            return "energy off by " + two_digits(evidence.energy) + " of the kinetic energy";
-        case Symptom::late:
-            return "off by " + two_digits(evidence.figure) +
-                   (evidence.worst.empty() ? "" : " (" + evidence.worst + ")");
-        case Symptom::none:
-            break;
-    }
-    return "";
+    const auto& [figure, worst, stopped, other, expected, missed, invented, penetration, energy] = evidence;
+    const std::array<std::string, symptom_names.size()> findings{
+        "",
+        stopped,
+        "the events are not those of the same scene elsewhere",
+        "sank " + two_digits(penetration) + " radii deep",
+        "energy off by " + two_digits(energy) + " of the kinetic energy",
+        "missed " + std::to_string(missed) + " of " + std::to_string(expected) + " impacts",
+        "made " + std::to_string(invented) + " impacts too many",
+        "off by " + two_digits(figure) + (worst.empty() ? "" : " (" + worst + ")")};
+    return findings[static_cast<std::size_t>(symptom)];
 }
 
-/// Causes that hold wherever a case names none of its own.
-std::string general_cause(Symptom symptom)
-{
-    switch (symptom) {
-        case Symptom::missed:
-            return "contacts that begin and end between two looks are not seen";
-        case Symptom::invented:
-            return "an overlap that is not undone within a step is answered again";
-        case Symptom::sank:
-            return "the surfaces pass each other by that much in a step";
-        case Symptom::energy:
-            return "impacts act at the end of a step, not where the surfaces meet";
-        case Symptom::late:
-            return "an impact is found up to a step late";
-        default:
-            return "";
-    }
-}
+/// Causes that hold wherever a case names none of its own, by Symptom.
+constexpr std::array<std::string_view, symptom_names.size()> general_causes{
+    "",
+    "",
+    "",
+    "the surfaces pass each other by that much in a step",
+    "impacts act at the end of a step, not where the surfaces meet",
+    "contacts that begin and end between two looks are not seen",
+    "an overlap that is not undone within a step is answered again",
+    "an impact is found up to a step late"};
 
 std::string explain(const StressPart& words, const Evidence& evidence, Symptom symptom)
 {
-    if (symptom == Symptom::none) return "";
     const auto own = words.causes.find(symptom);
-    const std::string cause = own != words.causes.end() ? own->second : general_cause(symptom);
+    const std::string cause(own != words.causes.end() ? own->second : name_of(symptom, general_causes));
     return finding(evidence, symptom) + (cause.empty() ? "" : ": " + cause);
 }
 
@@ -145,26 +127,14 @@ std::string at_most(double limit)
     return limit > 0 ? "at most " + two_digits(limit) : "0";
 }
 
-std::string rule_of(const StressPart& words)
-{
-    std::string rule = "the figure is " + at_most(words.limit);
-    if (words.exact != words.limit) rule += "; for event, which claims to be exact, " + at_most(words.exact);
-    return rule;
-}
-
 Result judge(const Case& which, const std::string& method)
 {
     study::Stopwatch watch;
-    const Evidence evidence = measure(which, method);
+    Result result{.method = method, .evidence = measure(which, method), .limit = 0, .reason = ""};
     watch.pause();
-    Result result;
-    result.method = method;
-    result.figure = evidence.figure;
-    result.worst = evidence.worst;
     result.limit = is_exact(method) ? which.words.exact : which.words.limit;
-    result.symptom = diagnose(evidence, result.limit);
-    result.passed = result.symptom == Symptom::none;
-    result.reason = explain(which.words, evidence, result.symptom);
+    result.symptom = diagnose(result.evidence, result.limit);
+    if (!result.passed()) result.reason = explain(which.words, result.evidence, result.symptom);
     result.seconds = watch.cpu();
     return result;
 }
@@ -176,7 +146,8 @@ std::vector<Case> cases_of(const std::vector<Scene>& scenes)
     std::map<std::string, Case> cases;
     for (const Scene& scene : scenes) {
         const StressPart& part = *scene.stress;
-        auto& [words, about, members] = cases.try_emplace(part.case_name, Case{part, "", {}}).first->second;
+        auto& [words, about, members, results] =
+            cases.try_emplace(part.case_name, Case{part, "", {}, {}}).first->second;
         if (words.exact != part.exact || words.limit != part.limit)
             throw InputError({"stress case \"" + part.case_name + "\": its scenes give different limits (see \"" +
                               scene.name + "\")"});
@@ -204,33 +175,34 @@ Symptom diagnose(const Evidence& evidence, double limit)
     return Symptom::late;
 }
 
+std::string Case::rule() const
+{
+    const std::string rule = "the figure is " + at_most(words.limit);
+    return words.exact == words.limit ? rule : rule + "; for event, which claims to be exact, " + at_most(words.exact);
+}
+
 bool Report::event_passes() const
 {
-    return std::all_of(cases.begin(), cases.end(), [](const CaseResult& c) {
-        return std::all_of(c.results.begin(), c.results.end(),
-                           [](const Result& r) { return r.passed || !is_exact(r.method); });
+    return std::all_of(cases.begin(), cases.end(), [](const Case& each) {
+        return std::all_of(each.results.begin(), each.results.end(),
+                           [](const Result& r) { return r.passed() || !is_exact(r.method); });
     });
 }
 
-Report run_cases(const std::vector<Case>& cases, const Options& options)
+Report run_cases(std::vector<Case> cases, const std::vector<std::string>& methods,
+                 const std::function<bool(const std::string& what, double fraction)>& on_progress)
 {
-    Report report;
-    report.methods = options.methods.empty() ? method_names() : options.methods;
+    Report report{methods.empty() ? method_names() : methods, {}, false};
     for (const std::string& method : report.methods) make_method(method);  // throws for unknown ones
-    const double runs = static_cast<double>(cases.size() * report.methods.size());
+    const auto runs = static_cast<double>(cases.size() * report.methods.size());
     double done = 0;
-    for (const Case& each : cases) {
-        const StressPart& words = each.words;
-        CaseResult row{words.case_name, words.title, each.about, words.figure, rule_of(words), words.step, {}};
+    for (Case& each : cases) {
         for (const std::string& method : report.methods) {
-            if (options.on_progress && !options.on_progress(words.case_name + ", " + method, done / runs)) {
-                report.interrupted = true;
-                return report;
-            }
-            row.results.push_back(judge(each, method));
-            ++done;
+            report.interrupted = on_progress && !on_progress(each.words.case_name + ", " + method, done++ / runs);
+            if (report.interrupted) return report;
+            each.results.push_back(judge(each, method));
         }
-        report.cases.push_back(std::move(row));
+        report.cases.push_back(std::move(each));
     }
     return report;
 }

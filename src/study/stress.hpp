@@ -25,44 +25,30 @@ struct Evidence {
 /// One method on one case.
 struct Result {
     std::string method;
-    bool passed = false;
-    double figure = 0;  ///< as Evidence's
-    double limit = 0;   ///< that holds for this method
-    std::string worst;
+    Evidence evidence;
+    double limit = 0;  ///< of the figure, for this method
     Symptom symptom = Symptom::none;
     std::string reason;  ///< a sentence for a method that fails, else empty
     double seconds = 0;  ///< CPU time [s]
+    bool passed() const { return symptom == Symptom::none; }
 };
 
-/// Scenes that make up a row of the table.
+/// A row of the table.
 struct Case {
     StressPart words;   ///< what one of the scenes, or all, say
     std::string about;  ///< their descriptions
     std::vector<Scene> scenes;
-};
-
-/// One case and how the methods did.
-struct CaseResult {
-    std::string name, title, about;
-    std::string figure;  ///< what is measured, in words
-    std::string rule;    ///< when it is passed, in words
-    std::string step;    ///< of discrete methods, in words
-    std::vector<Result> results;
+    std::vector<Result> results;  ///< by method
+    /// When it is passed, in words.
+    std::string rule() const;
 };
 
 struct Report {
     std::vector<std::string> methods;
-    std::vector<CaseResult> cases;  ///< those finished, if interrupted
+    std::vector<Case> cases;  ///< those finished, if interrupted
     bool interrupted = false;
-
     /// Whether `event`, if it was asked for, passes everything.
     bool event_passes() const;
-};
-
-struct Options {
-    std::vector<std::string> methods;  ///< as `make_method`; empty: all
-    /// May be empty; gets the words and the fraction done in [0, 1]; false interrupts before the next run.
-    std::function<bool(const std::string& what, double fraction)> on_progress;
 };
 
 /// The cases in the order of their names. \pre each scene has a StressPart \throws InputError where scenes of one case
@@ -72,7 +58,10 @@ std::vector<Case> cases_of(const std::vector<Scene>& scenes);
 /// What the evidence shows of a method that is held to `limit`.
 Symptom diagnose(const Evidence& evidence, double limit);
 
-/// \throws InputError for unknown names of methods.
-Report run_cases(const std::vector<Case>& cases, const Options& options);
+/// Every method on every case.
+/// \param methods as `make_method`; empty: all \throws InputError for unknown ones
+/// \param on_progress may be empty; gets the words and the fraction done in [0, 1]; false interrupts before the next
+Report run_cases(std::vector<Case> cases, const std::vector<std::string>& methods,
+                 const std::function<bool(const std::string& what, double fraction)>& on_progress = {});
 
 }  // namespace carom::stress

@@ -33,9 +33,7 @@ Report run_one(const std::string& name, const std::vector<std::string>& methods)
 {
     std::vector<Case> cases = all_cases();
     std::erase_if(cases, [&](const Case& each) { return each.words.case_name != name; });
-    Options options;
-    options.methods = methods;
-    return run_cases(cases, options);
+    return run_cases(std::move(cases), methods);
 }
 
 const Check* check_of(const Scene& scene, CheckType type, BodyId body = no_body)
@@ -78,16 +76,14 @@ TEST_CASE("stress: there are twelve cases, each in words and with a rule, and ev
     }
     CHECK(names == std::vector<std::string>{"counting_pi", "drift", "far_origin", "gravity", "grazing", "mass_ratio",
                                             "radius_ratio", "speed", "start_time", "time_reversal", "ulp_gap", "zeno"});
-    Options options;
-    options.methods = {"event"};
-    const Report report = run_cases(cases, options);
+    const Report report = run_cases(cases, {"event"});
     REQUIRE(report.cases.size() == 12);
     CHECK(report.event_passes());
-    for (const CaseResult& each : report.cases) {
+    for (const Case& each : report.cases) {
         const Result& result = each.results.at(0);
-        INFO(each.name << ": " << result.figure << " " << result.reason);
-        CHECK(result.passed);
-        CHECK(result.figure <= result.limit);
+        INFO(each.words.case_name << ": " << result.evidence.figure << " " << result.reason);
+        CHECK(result.passed());
+        CHECK(result.evidence.figure <= result.limit);
     }
 }
 
@@ -105,8 +101,8 @@ TEST_CASE("stress: each case can be failed, and says why", "[stress]")
     for (const auto& [name, control] : controls) {
         const Report report = run_one(name, {control.first});
         const Result& result = report.cases.at(0).results.at(0);
-        INFO(name << " " << control.first << ": " << result.figure << " " << result.reason);
-        CHECK_FALSE(result.passed);
+        INFO(name << " " << control.first << ": " << result.evidence.figure << " " << result.reason);
+        CHECK_FALSE(result.passed());
         CHECK(name_of(result.symptom, symptom_names) == name_of(control.second, symptom_names));
         CHECK_THAT(result.reason, Contains(": "));  // numbers, then the cause
         CHECK(report.event_passes());               // it was not asked for
@@ -142,14 +138,14 @@ TEST_CASE("stress: event failing a case fails the report, another method does no
 {
     Report report;
     report.methods = {"event", "pbd"};
-    CaseResult c;
+    Case c;
     c.results.resize(2);
     c.results[0].method = "event";
-    c.results[0].passed = true;
     c.results[1].method = "pbd";
+    c.results[1].symptom = Symptom::late;
     report.cases = {c};
     CHECK(report.event_passes());
-    report.cases[0].results[0].passed = false;
+    report.cases[0].results[0].symptom = Symptom::late;
     CHECK_FALSE(report.event_passes());
 }
 
@@ -176,11 +172,8 @@ TEST_CASE("stress: scenes of one case add up, and must not disagree about its li
 TEST_CASE("stress: an unknown method is refused, and an interruption ends it", "[stress]")
 {
     CHECK_THROWS_AS(run_one("grazing", {"magic"}), InputError);
-    Options options;
     int asked = 0;
-    options.methods = {"event"};
-    options.on_progress = [&](const std::string&, double) { return ++asked <= 1; };
-    const Report report = run_cases(all_cases(), options);
+    const Report report = run_cases(all_cases(), {"event"}, [&](const std::string&, double) { return ++asked <= 1; });
     CHECK(report.interrupted);
     CHECK(report.cases.size() == 1);
 }
