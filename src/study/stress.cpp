@@ -64,13 +64,14 @@ void note_impacts(Evidence& evidence, std::int64_t expected, std::int64_t found)
     evidence.invented += std::max<std::int64_t>(0, found - expected);
 }
 
-Evidence measure(const Case& which, const std::string& method)
+Evidence measure(const Case& which, const std::string& method, const std::function<bool()>& goes_on)
 {
     Evidence evidence;
     for (const Scene& scene : which.scenes) {
         CheckOptions options;
         options.method = make_method(method, StepOptions{.dt = scene.stress->dt});
         if (!is_exact(method)) options.max_seconds = longest_run;
+        options.on_progress = [&](double) { return goes_on(); };
         const CheckReport report = check_scene(scene, options);
         const Outcome& outcome = report.run.study.outcome;
         note_end(evidence, scene, outcome);
@@ -79,8 +80,10 @@ Evidence measure(const Case& which, const std::string& method)
             if (check.type == CheckType::rest_time && !is_exact(method)) continue;  // discrete methods know no rest
             if (check.type == CheckType::event_count && check.kind == EventKind::impact)
                 note_impacts(evidence, check.count, outcome.counts.impacts);
-            if (const auto& repeat = report.run.sights[k].repeat; repeat && repeat->other_events)
-                evidence.other_events = true;
+            if (const auto& repeat = report.run.sights[k].repeat) {
+                evidence.other_events = evidence.other_events || repeat->other_events;
+                if (repeat->outcome.status != Status::reached_end) evidence.stopped = report.results[k].message;
+            }
             note_figure(evidence, figure_of(report.results[k], scene.stress->exact),
                         (which.scenes.size() > 1 ? scene.name + ", " : "") + report.results[k].what);
         }
@@ -127,10 +130,10 @@ std::string at_most(double limit)
     return limit > 0 ? "at most " + two_digits(limit) : "0";
 }
 
-Result judge(const Case& which, const std::string& method)
+Result judge(const Case& which, const std::string& method, const std::function<bool()>& goes_on)
 {
     study::Stopwatch watch;
-    Result result{.method = method, .evidence = measure(which, method), .limit = 0, .reason = ""};
+    Result result{.method = method, .evidence = measure(which, method, goes_on), .limit = 0, .reason = ""};
     watch.pause();
     result.limit = is_exact(method) ? which.words.exact : which.words.limit;
     result.symptom = diagnose(result.evidence, result.limit);
@@ -198,9 +201,13 @@ Report run_cases(std::vector<Case> cases, const std::vector<std::string>& method
     double done = 0;
     for (Case& each : cases) {
         for (const std::string& method : report.methods) {
-            report.interrupted = on_progress && !on_progress(each.words.case_name + ", " + method, done++ / runs);
+            const std::string what = each.words.case_name + ", " + method;
+            const auto goes_on = [&] { return !on_progress || on_progress(what, done / runs); };
+            Result result = judge(each, method, goes_on);
+            report.interrupted = !goes_on();
             if (report.interrupted) return report;
-            each.results.push_back(judge(each, method));
+            each.results.push_back(std::move(result));
+            ++done;
         }
         report.cases.push_back(std::move(each));
     }

@@ -60,7 +60,7 @@ Symptom diagnose(const Evidence& evidence, double limit);
 
 /// Every method on every case.
 /// \param methods as `make_method`; empty: all \throws InputError for unknown ones
-/// \param on_progress may be empty; gets the words and the fraction done in [0, 1]; false interrupts before the next
+/// \param on_progress may be empty; called now and then with words and the fraction done in [0, 1]; false interrupts
 Report run_cases(std::vector<Case> cases, const std::vector<std::string>& methods,
                  const std::function<bool(const std::string& what, double fraction)>& on_progress = {});
 

@@ -207,11 +207,12 @@ CODE
 
 # What a run with checks needs: not verify, recordings, reports, reference.
 build() {
-    local units=()
-    mapfile -t units < <(cd "$tree/src" && ls core/*.cpp math/*.cpp flight/*.cpp toi/*.cpp broad/*.cpp scene/*.cpp \
-        stepping/*.cpp queue/*.cpp impact/*.cpp contact/*.cpp event_driven/*.cpp simulate/*.cpp \
-        io/{scene_[!j]*,json*,object_view,problems,assign,syntax_error,as_value}.cpp \
-        study/{checks,check_scene,repeat_run,run_study,metrics,penetration,clock}.cpp 2>/dev/null)
+    local units=() folders
+    folders=$(sed -n 's/^set(CAROM_CORE_FOLDERS \(.*\))$/\1/p' "$source/CMakeLists.txt" | sed 's/ verify / /')
+    [ -n "$folders" ] || die "CMakeLists.txt has no CAROM_CORE_FOLDERS"
+    mapfile -t units < <(cd "$tree/src" && for folder in $folders; do ls "$folder"/*.cpp; done &&
+        ls io/{scene_[!j]*,json*,object_view,problems,assign,syntax_error,as_value}.cpp \
+            study/{checks,check_scene,repeat_run,run_study,metrics,penetration,clock}.cpp)
     local flags=(-std=c++20 -O0 -I"$tree/include" -I"$tree/src" -isystem "$eigen" -DEIGEN_DONT_VECTORIZE
         -DEIGEN_MAX_ALIGN_BYTES=16)
     # Eigen is most of what there is to read: once is enough.
