@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Carries out the recipes of CONTRIBUTING.md in a copy of the tree: a discrete method, an impact operator, a scene key, a
-# check and a scene that do next to nothing. Builds what they need and runs scenes that show each of them; counts the files
-# that each recipe touches.
-# Usage: recipes.sh SOURCE_DIR WORK_DIR COMPILER EIGEN_INCLUDE
+# check and a scene that do next to nothing. Compiles what they change, takes the rest from the libraries of the build, and
+# runs a scene that shows each of them; counts the files that each recipe touches.
+# Usage: recipes.sh SOURCE_DIR WORK_DIR COMPILER COMPILER_FLAGS EIGEN_INCLUDE LIBRARY...
 set -euo pipefail
-source=$1 work=$2 compiler=$3 eigen=$4
+source=$1 work=$2 compiler=$3 eigen=$5
+read -ra given_flags <<<"$4"
+libraries=("${@:6}")
 tree=$work/tree
 rm -rf "$work"
 mkdir -p "$tree"
@@ -71,6 +73,7 @@ recipe() {
     touched=$({ diff -rq "$work/before" "$tree" || true; } | sed -E 's/^Files [^ ]+ and ([^ ]+) differ$/\1/; s/^Only in ([^:]+): /\1\//' |
         sed "s|^$tree/||" | sort)
     rm -rf "$work/before"
+    echo "$touched" >>"$work/touched"
     local count
     count=$(wc -l <<<"$touched")
     echo "$1: $count files: $(tr '\n' ' ' <<<"$touched")"
@@ -205,16 +208,31 @@ int main(int, char** argv)
 CODE
 }
 
-# What a run with checks needs: not verify, recordings, reports, reference.
+# Those of the sources named that the recipes touched, or that include such a header, however far away.
+affected() {
+    grep -oE '(carom/.*|src/.*)\.hpp$' "$work/touched" | sed 's|^src/||' | sort -u >"$work/headers"
+    local before=0
+    while [ "$(wc -l <"$work/headers")" -gt "$before" ]; do
+        before=$(wc -l <"$work/headers")
+        (cd "$tree" && grep -rlF --include='*.hpp' -f "$work/headers" include src) | sed -E 's/^(include|src)\///' |
+            sort -u - "$work/headers" >"$work/headers.new"
+        mv "$work/headers.new" "$work/headers"
+    done
+    (cd "$tree/src" && { grep -lF -f "$work/headers" "$@"; sed -n 's/^src\///p' "$work/touched" | grep '\.cpp$'; } | sort -u)
+}
+
+# The library up to runs with checks; not what certifies, records, reports and compares.
 build() {
-    local units=() folders
+    local folders
     folders=$(sed -n 's/^set(CAROM_CORE_FOLDERS \(.*\))$/\1/p' "$source/CMakeLists.txt" | sed 's/ verify / /')
     [ -n "$folders" ] || die "CMakeLists.txt has no CAROM_CORE_FOLDERS"
-    mapfile -t units < <(cd "$tree/src" && for folder in $folders; do ls "$folder"/*.cpp; done &&
-        ls io/{scene_[!j]*,json*,object_view,problems,assign,syntax_error,as_value}.cpp \
-            study/{checks,check_scene,repeat_run,run_study,metrics,penetration,clock}.cpp)
-    local flags=(-std=c++20 -O0 -I"$tree/include" -I"$tree/src" -isystem "$eigen" -DEIGEN_DONT_VECTORIZE
-        -DEIGEN_MAX_ALIGN_BYTES=16)
+    local sources units
+    mapfile -t sources < <(cd "$tree/src" && for folder in $folders; do ls "$folder"/*.cpp; done &&
+        ls io/scene_*.cpp study/{checks,check_scene,repeat_run,run_study,metrics,penetration}.cpp)
+    mapfile -t units < <(affected "${sources[@]}")
+    echo "${#units[@]} of ${#sources[@]} sources to compile"
+    local flags=(-std=c++20 -O0 "${given_flags[@]}" -I"$tree/include" -I"$tree/src" -isystem "$eigen"
+        -DEIGEN_DONT_VECTORIZE -DEIGEN_MAX_ALIGN_BYTES=16)
     # Eigen is most of what there is to read: once is enough.
     mkdir -p "$work/objects"
     cat >"$work/common.hpp" <<<'#include <carom/carom.hpp>'
@@ -222,7 +240,7 @@ build() {
     printf '%s\n' "${units[@]}" | xargs -P "$(nproc)" -I{} sh -c \
         'unit=$1; shift; "$@" -include "$0/common.hpp" -c "$0/tree/src/$unit" -o "$0/objects/$(echo "$unit" | tr / _).o"' \
         "$work" {} "$compiler" "${flags[@]}"
-    "$compiler" "${flags[@]}" "$work/main.cpp" "$work"/objects/*.o -o "$work/recipes"
+    "$compiler" "${flags[@]}" "$work/main.cpp" "$work"/objects/*.o "${libraries[@]}" -o "$work/recipes"
 }
 
 recipe discrete_method 8
