@@ -26,8 +26,7 @@ std::string line(const CompareRow& row)
 std::string compare_csv_header()
 {
     std::string text;
-    for (const study::CompareColumn& column : study::compare_columns)
-        text += std::string(column.name) + ",";
+    for (const study::CompareColumn& column : study::compare_columns) text += std::string(column.name) + ",";
     text.pop_back();
     return text;
 }
