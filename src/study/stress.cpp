@@ -96,7 +96,7 @@ std::string finding(const Evidence& evidence, Symptom symptom)
         "",
         stopped,
         "the events are not those of the same scene elsewhere",
-        "sank " + two_digits(penetration) + " radii study::sunk",
+        "sank " + two_digits(penetration) + " radii deep",
         "energy off by " + two_digits(energy) + " of the kinetic energy",
         "missed " + std::to_string(missed) + " of " + std::to_string(expected) + " impacts",
         "made " + std::to_string(invented) + " impacts too many",
