@@ -5,6 +5,7 @@
 #include <carom/study.hpp>
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@ enum class CheckVerdict : std::uint8_t {
     fails,
     open  ///< the run ended before what the check asks about: whether it holds is not known
 };
-/// "holds", "fails", "open".
+inline constexpr std::array<std::string_view, 3> check_verdict_names{"holds", "fails", "open"};
+/// The word that results and files use for a verdict.
 const char* name(CheckVerdict verdict);
 
 struct CheckResult {
@@ -27,10 +29,24 @@ struct CheckResult {
     std::string message;          ///< for people: what was expected and found; why it is open
 };
 
+/// The run of a scene that should be the same one, see CheckType::moved and those after it.
+struct Repeat {
+    Outcome outcome;
+    double difference = 0;      ///< of its end from the one expected, dimensionless
+    bool other_events = false;  ///< an event-driven run had another event_hash
+};
+
+/// Findings of a check while a run went on.
+struct CheckSight {
+    std::optional<double> time;    ///< event_time: when that impact was [time]
+    std::optional<Vec3> position;  ///< position: of the body at that time [length]
+    std::optional<Repeat> repeat;  ///< moved, moved_origin, later, reversed
+};
+
 /// Figures of a run that checks ask for.
 struct CheckedRun {
     RunStudy study;
-    std::vector<double> impact_times;  ///< of the first impacts, as many as checks ask about [time]
+    std::vector<CheckSight> sights;  ///< one for each of Scene::checks; missing ones saw nothing
 };
 
 struct CheckReport {
@@ -48,14 +64,28 @@ struct CheckReport {
 /// |---|---|---|
 /// | no_overlap | deepest overlap at impacts and samples [length] | smallest radius |
 /// | energy | largest abs(E - E0) at samples [energy] | largest kinetic energy |
+/// | final_energy | abs(E - E0) at the end [energy] | largest kinetic energy |
 /// | momentum | abs(p - p0) at the end [momentum] | sum of m abs(v) at the start |
 /// | inside | centres outside a wall at the end | 1 |
 /// | event_time, rest_time | difference of times [time] | the time |
 /// | event_count | difference of counts | the count |
-/// | final_position, final_velocity | distance [length, length/time] | size of the value |
+/// | position, final_position, final_velocity | distance [length, length/time] | size of the value |
+/// | moved, moved_origin, later | difference of the two runs at the end, see below | 1 |
+/// | reversed | largest distance from the start, in smallest radii | 1 |
+///
+/// The difference of two runs: the largest of velocities, in largest speeds at the start, and of positions, in smallest
+/// radii. Of event-driven runs positions do not count, for they round where they are written as doubles, but events do:
+/// it is infinite where the second run has another event_hash.
 std::vector<CheckResult> evaluate_checks(const Scene& scene, const CheckedRun& run);
 
-/// Runs the event method to the end of the scene and evaluates its checks. \pre the scene is valid.
-CheckReport check_scene(const Scene& scene, const std::function<bool(double)>& on_progress = {});
+struct CheckOptions {
+    Method method = EventDriven{};
+    double max_seconds = std::numeric_limits<double>::infinity();  ///< > 0, of each run [s]
+    std::function<bool(double)> on_progress = {};  ///< may be empty; gets the time reached; false interrupts
+};
+
+/// Runs the method to the end of the scene, and again where a check asks for it, and evaluates its checks. \pre the
+/// scene is valid.
+CheckReport check_scene(const Scene& scene, const CheckOptions& options = {});
 
 }  // namespace carom

@@ -15,6 +15,8 @@ enum class EventKind : std::uint8_t {
     settle = 5    ///< a contact that opened slower than v_c, or was about to, was held: its impulse pulls
 };
 
+inline constexpr std::size_t first_event_kind = 1;
+inline constexpr std::array<std::string_view, 5> event_kind_names{"impact", "rest", "release", "guard", "settle"};
 /// The word that results and files use for a kind.
 const char* name(EventKind kind);
 

@@ -2,6 +2,7 @@
 /// The methods that can run a scene, as values: options are named, a method is one alternative of a variant.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@ struct EventDriven {
 
 /// Order in which a discrete method visits the contacts of one pass.
 enum class ContactOrder : std::uint8_t { index, reverse, random, deepest };
+inline constexpr std::array<std::string_view, 4> contact_order_names{"index", "reverse", "random", "deepest"};
 
 /// Options of all discrete methods. Semi-implicit Euler: v += h g, then p += h v, with h = dt / substeps.
 struct StepOptions {
@@ -76,7 +78,7 @@ const std::vector<std::string>& method_names();
 Method make_method(std::string_view name, const StepOptions& options = {});
 /// Step options of a discrete method, nullptr for the event-driven one. Valid as long as `method`.
 const StepOptions* step_options(const Method& method);
-/// "index", "reverse", "random", "deepest". \throws InputError
+/// The order of that name. \throws InputError naming the known ones
 ContactOrder contact_order(std::string_view name);
 std::string_view name(ContactOrder order);
 

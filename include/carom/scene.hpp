@@ -5,9 +5,12 @@
 /// Functions here throw nothing.
 #pragma once
 
+#include <carom/event.hpp>
 #include <carom/response.hpp>
+#include <carom/stress.hpp>
 #include <carom/types.hpp>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -64,17 +67,40 @@ struct Plane {
     int material = 0;                 ///< index into Scene::materials
 };
 
+/// Questions that checks ask of a run; see `evaluate_checks` for the error of each.
+enum class CheckType : std::uint8_t {
+    no_overlap,
+    energy,
+    final_energy,
+    momentum,
+    inside,
+    event_time,
+    event_count,
+    rest_time,
+    position,
+    final_position,
+    final_velocity,
+    moved,         ///< the scene moved by `value` has the same run
+    moved_origin,  ///< so has the scene whose origin is moved by `value`
+    later,         ///< so has the scene whose clock shows `time` more
+    reversed       ///< run on from the end with all velocities turned round, the scene comes back to its start
+};
+inline constexpr std::array<std::string_view, 15> check_type_names{
+    "no_overlap",     "energy",      "final_energy", "momentum", "inside",
+    "event_time",     "event_count", "rest_time",    "position", "final_position",
+    "final_velocity", "moved",       "moved_origin", "later",    "reversed"};
+
 /// One line of a scene's `checks`: what a correct event run of the scene must show.
 struct Check {
-    std::string type;  ///< no_overlap, energy, momentum, inside, event_time, event_count, rest_time, final_position,
-                       ///< final_velocity
+    CheckType type = CheckType::no_overlap;
     std::optional<double> rel, abs;  ///< tolerance, at most one of them
-    std::int64_t index = 0;          ///< event_time: 0-based among impacts
-    std::int64_t count = 0;          ///< event_count
-    std::string kind;                ///< event_count: impact, rest, release, guard, settle
-    double time = 0;                 ///< event_time, rest_time: since the start of the run [time]
-    BodyId body = no_body;           ///< rest_time, final_position, final_velocity
-    Vec3 value = Vec3::Zero();       ///< final_position [length], final_velocity [length/time]
+    std::int64_t index = 0;          ///< event_time: 0-based among the impacts, or among those of the two of `between`
+    std::optional<std::array<BodyId, 2>> between;  ///< event_time
+    std::int64_t count = 0;                        ///< event_count
+    EventKind kind = EventKind::impact;            ///< event_count
+    double time = 0;            ///< event_time, rest_time, position: since the start of the run; later [time]
+    BodyId body = no_body;      ///< rest_time, position, final_position, final_velocity
+    Vec3 value = Vec3::Zero();  ///< positions, moved, moved_origin [length], final_velocity [length/time]
 };
 
 /// Default options of a command: its long option names with `_` for `-`. Values are kept as the file wrote them.
@@ -102,6 +128,7 @@ struct Scene {
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;
     std::vector<Check> checks;
+    std::optional<StressPart> stress;  ///< none: no part of `carom stress`
     CommandDefaults run, compare, tunnel, view;
 
     /// Id under which events name plane p. \pre p < planes.size()

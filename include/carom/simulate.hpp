@@ -26,6 +26,8 @@ enum class Status : std::uint8_t {
     unresolved,   ///< something that carom cannot resolve yet; Outcome::message says what, where, when
     interrupted   ///< the observer said stop
 };
+inline constexpr std::array<std::string_view, 6> status_names{"reached_end", "event_limit", "time_limit",
+                                                              "zeno",        "unresolved",  "interrupted"};
 /// The word that results and files use for a status.
 const char* name(Status status);
 

@@ -19,7 +19,10 @@ inline constexpr std::size_t study_intervals = 200;
 
 struct RunStudyOptions {
     RunOptions run;
-    std::size_t intervals = study_intervals;             ///< >= 1
+    std::size_t intervals = study_intervals;  ///< >= 1
+    std::vector<double> more_times;           ///< ascending, in [0, until]: looked at as well [time]
+    /// Gets each state that is looked at; may be empty.
+    std::function<void(double time, std::span<const BodyState>)> on_state;
     std::function<void(const Event&)> on_event;          ///< may be empty; its time counts as the run's
     std::function<void(const RunFrame&)> on_frame;       ///< as Observer's; so is
     std::function<void(const FlightRecord&)> on_flight;  ///< this one

@@ -14,7 +14,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace carom {
 
@@ -45,6 +47,8 @@ enum class Mode : std::uint8_t {
     fixed     ///< never moves
 };
 
+inline constexpr std::array<std::string_view, 6> mode_names{"flying",  "series",  "sliding",
+                                                            "resting", "numeric", "fixed"};
 /// The word that results and files use for a mode.
 const char* name(Mode mode);
 

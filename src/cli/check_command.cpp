@@ -71,8 +71,9 @@ int do_check(const CheckArguments& args, const GlobalArguments& global, const Co
     int code = exit_ok;
     for (const Task& task : tasks) {
         if (!session.watch.keep_going()) break;
-        CheckReport report =
-            check_scene(task.scene, session.on_time(task.file.stem().string(), task.scene.end_time, task.scene));
+        CheckOptions options;
+        options.on_progress = session.on_time(task.file.stem().string(), task.scene.end_time, task.scene);
+        CheckReport report = check_scene(task.scene, options);
         session.progress.clear();
         Outcome& outcome = report.run.study.outcome;
         if (session.watch.ended()) {

@@ -1,5 +1,6 @@
 #include "cli/tables.hpp"
 
+#include "study/compare_columns.hpp"
 #include "study/words.hpp"
 
 #include <fmt/format.h>
@@ -31,9 +32,27 @@ struct Column {
     bool always = true;
 };
 
-std::string bracketed(const std::string& unit)
+std::string unit_text(study::ColumnUnit unit, const Units& units)
 {
-    return unit.empty() ? "" : " [" + unit + "]";
+    switch (unit) {
+        case study::ColumnUnit::length:
+            return units.length;
+        case study::ColumnUnit::speed:
+            return units.length.empty() || units.time.empty() ? "" : units.length + "/" + units.time;
+        case study::ColumnUnit::time:     // cells and the head say which
+        case study::ColumnUnit::seconds:  // cells say it, with a prefix
+        case study::ColumnUnit::none:
+            break;
+    }
+    return "";
+}
+
+/// Heading and unit of the column of compare.csv that has this name.
+std::string heading(std::string_view name, const Units& units)
+{
+    const study::CompareColumn& column = study::compare_column(name);
+    const std::string unit = unit_text(column.unit, units);
+    return std::string(column.heading) + (unit.empty() ? "" : " [" + unit + "]");
 }
 
 /// Impacts are counted while run and reference agree. A run that parts from it before the first one has none to miss,
@@ -52,9 +71,7 @@ std::string status_text(const CompareRow& row)
 std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
 {
     const Units& units = scene.units;
-    const std::string length = bracketed(units.length);
-    const std::string speed =
-        units.length.empty() || units.time.empty() ? "" : bracketed(units.length + "/" + units.time);
+    const auto named = [&](std::string_view name) { return heading(name, units); };
     const auto number = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "-"; };
     const auto several = [&](std::optional<int> CompareRow::*member) {
         return std::any_of(comparison.rows.begin(), comparison.rows.end(),
@@ -67,45 +84,47 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
         event != comparison.rows.end() && event->status == Status::reached_end ? event->cpu_seconds : 0;
 
     std::vector<Column> all;
-    all.push_back({"method", [](const CompareRow& r) { return r.method; }});
-    all.push_back({"dt", [](const CompareRow& r) { return r.dt ? step_text(*r.dt) : "-"; }});
+    all.push_back({named("method"), [](const CompareRow& r) { return r.method; }});
+    all.push_back({named("dt"), [](const CompareRow& r) { return r.dt ? step_text(*r.dt) : "-"; }});
     if (several(&CompareRow::substeps))
-        all.push_back({"substeps", [=](const CompareRow& r) { return number(r.substeps); }});
-    if (several(&CompareRow::passes)) all.push_back({"passes", [=](const CompareRow& r) { return number(r.passes); }});
-    all.push_back({"max error" + length, [](const CompareRow& r) { return figure(r.position_max); }});
+        all.push_back({named("substeps"), [=](const CompareRow& r) { return number(r.substeps); }});
+    if (several(&CompareRow::passes))
+        all.push_back({named("passes"), [=](const CompareRow& r) { return number(r.passes); }});
+    all.push_back({named("position_max"), [](const CompareRow& r) { return figure(r.position_max); }});
     all.push_back({"within " + study::length_text(comparison.tolerance, units.length),
                    [&](const CompareRow& r) {
                        return !r.position_max ? "-" : *r.position_max <= comparison.tolerance ? "yes" : "no";
                    },
                    false});
-    all.push_back({"at end" + length, [](const CompareRow& r) { return figure(r.position_final_max); }, false});
-    all.push_back({"energy err", [](const CompareRow& r) { return figure(r.energy_error); }, false});
-    all.push_back({"overlap" + length, [](const CompareRow& r) { return figure(r.max_penetration); }});
+    all.push_back(
+        {named("position_final_max"), [](const CompareRow& r) { return figure(r.position_final_max); }, false});
+    all.push_back({named("energy_error"), [](const CompareRow& r) { return figure(r.energy_error); }, false});
+    all.push_back({named("max_penetration"), [](const CompareRow& r) { return figure(r.max_penetration); }});
     all.push_back({"late",
                    [](const CompareRow& r) { return never_judged(r) ? "-" : std::to_string(r.mistimed_impacts); },
                    false});
-    all.push_back({"missed",
+    all.push_back({named("missed_impacts"),
                    [](const CompareRow& r) {
                        return never_judged(r)
                                   ? "-"
                                   : fmt::format("{}/{}", r.missed_impacts - r.mistimed_impacts, r.reference_impacts);
                    },
                    false});
-    all.push_back({"invented",
+    all.push_back({named("invented_impacts"),
                    [](const CompareRow& r) {
                        return never_judged(r) && r.invented_impacts == 0 ? "-" : std::to_string(r.invented_impacts);
                    },
                    false});
-    all.push_back({"jitter" + speed, [](const CompareRow& r) { return figure(r.rest_jitter); }, false});
-    all.push_back({"diverges",
+    all.push_back({named("rest_jitter"), [](const CompareRow& r) { return figure(r.rest_jitter); }, false});
+    all.push_back({named("divergence_time"),
                    [](const CompareRow& r) { return r.divergence_time ? time_text(*r.divergence_time, "") : "-"; },
                    false});
-    all.push_back({"CPU", [](const CompareRow& r) { return seconds_text(r.cpu_seconds); }});
+    all.push_back({named("cpu_seconds"), [](const CompareRow& r) { return seconds_text(r.cpu_seconds); }});
     all.push_back(
         {"x event",
          [=](const CompareRow& r) { return unit_cost > 0 ? study::two_digits(r.cpu_seconds / unit_cost) : "-"; },
          false});
-    all.push_back({"status", status_text});
+    all.push_back({named("status"), status_text});
     return all;
 }
 

@@ -4,9 +4,12 @@
 #include "cli/session.hpp"
 #include "cli/tables.hpp"
 #include "io/stress_files.hpp"
-#include "study/stress/stress.hpp"
+#include "study/stress.hpp"
 
 #include <carom/error.hpp>
+#include <carom/io.hpp>
+
+#include <fmt/format.h>
 
 #include <ostream>
 
@@ -14,25 +17,31 @@ namespace carom::cli {
 
 namespace {
 
-stress::Options stress_settings(const StressArguments& args)
+std::vector<Scene> stress_scenes()
 {
-    stress::Options options;
-    const CommandDefaults none;
-    options.methods = Choices(args.given, none, "").methods("methods", {});
-    if (args.only.empty()) return options;
-    options.only = args.only;
-    std::string known;
-    for (const std::string& each : stress::case_names()) {
-        if (each == args.only) return options;
-        known += (known.empty() ? "" : ", ") + each;
-    }
-    throw UsageError("--case: unknown case \"" + args.only + "\" (take " + known + ")");
+    std::vector<Scene> scenes;
+    for (const std::filesystem::path& file : scene_files(scene_folder() / "stress"))
+        if (Scene scene = read_scene(file); scene.stress) scenes.push_back(std::move(scene));
+    return scenes;
+}
+
+/// All cases, or the one asked for.
+std::vector<stress::Case> chosen_cases(const std::string& only)
+{
+    std::vector<stress::Case> cases = stress::cases_of(stress_scenes());
+    if (only.empty()) return cases;
+    std::vector<std::string> names;
+    for (const stress::Case& each : cases) names.push_back(each.words.case_name);
+    std::erase_if(cases, [&](const stress::Case& each) { return each.words.case_name != only; });
+    if (cases.empty())
+        throw UsageError(fmt::format("--case: unknown case \"{}\" (take {})", only, fmt::join(names, ", ")));
+    return cases;
 }
 
 double seconds_of_runs(const stress::Report& report)
 {
     double sum = 0;
-    for (const stress::CaseResult& c : report.cases)
+    for (const stress::Case& c : report.cases)
         for (const stress::Result& each : c.results) sum += each.seconds;
     return sum;
 }
@@ -42,9 +51,9 @@ double seconds_of_runs(const stress::Report& report)
 int do_stress(const StressArguments& args, const GlobalArguments& global, const Console& console)
 {
     Session session(args.given, global, console);
-    stress::Options options = stress_settings(args);
-    options.on_progress = session.on_progress();
-    const stress::Report report = stress::run_cases(options);
+    const CommandDefaults none;
+    const std::vector<std::string> methods = Choices(args.given, none, "").methods("methods", {});
+    const stress::Report report = stress::run_cases(chosen_cases(args.only), methods, session.on_progress());
     session.progress.clear();
 
     const io::CommandFacts facts = session.watch.facts();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/command_facts.hpp"
-#include "study/stress/stress.hpp"
+#include "study/stress.hpp"
 
 #include <carom/checks.hpp>
 #include <carom/study.hpp>

@@ -10,11 +10,8 @@
 
 namespace carom::io {
 
-inline constexpr const char* compare_csv_header =
-    "method,dt,substeps,passes,cpu_seconds,cpu_min,cpu_max,position_rms,position_max,position_final_rms,position_final_"
-    "max,"
-    "velocity_rms,energy_error,max_penetration,missed_impacts,invented_impacts,impacts,rest_jitter,divergence_time,"
-    "reference_bound,steps,root_solves,pair_tests,status";
+/// Names of the columns (study/compare_columns.hpp), separated by commas.
+std::string compare_csv_header();
 
 /// Header and a line for each row. What there is none of, or is not finite, is an empty field.
 std::string compare_csv(const Comparison& comparison);

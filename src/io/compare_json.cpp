@@ -1,4 +1,5 @@
 #include "io/compare_files.hpp"
+#include "study/compare_columns.hpp"
 
 #include "io/lift_json.hpp"
 
@@ -9,12 +10,6 @@ namespace carom::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <typename T>
-Json optional_json(const std::optional<T>& value)
-{
-    return value ? Json(*value) : Json(nullptr);
-}
 
 Json mismatches_json(const Scene& scene, const std::vector<ImpactMismatch>& list)
 {
@@ -27,38 +22,18 @@ Json mismatches_json(const Scene& scene, const std::vector<ImpactMismatch>& list
 Json row_json(const Scene& scene, const CompareRow& row)
 {
     // First the keys of the CSV in its order, then what only JSON carries.
-    return {{"method", row.method},
-            {"dt", optional_json(row.dt)},
-            {"substeps", optional_json(row.substeps)},
-            {"passes", optional_json(row.passes)},
-            {"cpu_seconds", row.cpu_seconds},
-            {"cpu_min", row.cpu_min},
-            {"cpu_max", row.cpu_max},
-            {"position_rms", optional_json(row.position_rms)},
-            {"position_max", optional_json(row.position_max)},
-            {"position_final_rms", optional_json(row.position_final_rms)},
-            {"position_final_max", optional_json(row.position_final_max)},
-            {"velocity_rms", optional_json(row.velocity_rms)},
-            {"energy_error", optional_json(row.energy_error)},
-            {"max_penetration", row.max_penetration},
-            {"missed_impacts", row.missed_impacts},
-            {"invented_impacts", row.invented_impacts},
-            {"impacts", row.impacts},
-            {"rest_jitter", optional_json(row.rest_jitter)},
-            {"divergence_time", optional_json(row.divergence_time)},
-            {"reference_bound", row.reference_bound},
-            {"steps", row.steps},
-            {"root_solves", row.root_solves},
-            {"pair_tests", row.pair_tests},
-            {"status", name(row.status)},
-            {"message", row.message},
-            {"time", row.time},
-            {"repeats", row.repeats},
-            {"reference_impacts", row.reference_impacts},
-            {"mistimed_impacts", row.mistimed_impacts},
-            {"missed", mismatches_json(scene, row.missed)},
-            {"invented", mismatches_json(scene, row.invented)},
-            {"lifted", lifts_json(scene, row.lifts)}};
+    Json json;
+    for (const study::CompareColumn& column : study::compare_columns)
+        json[std::string(column.name)] = study::cell_value<Json>(column.cell(row));
+    json["message"] = row.message;
+    json["time"] = row.time;
+    json["repeats"] = row.repeats;
+    json["reference_impacts"] = row.reference_impacts;
+    json["mistimed_impacts"] = row.mistimed_impacts;
+    json["missed"] = mismatches_json(scene, row.missed);
+    json["invented"] = mismatches_json(scene, row.invented);
+    json["lifted"] = lifts_json(scene, row.lifts);
+    return json;
 }
 
 std::string joined(const std::vector<std::string>& sentences)

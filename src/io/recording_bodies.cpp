@@ -1,82 +1,29 @@
 #include "io/recording_bodies.hpp"
 
 #include "io/limits.hpp"
+#include "io/recording_columns.hpp"
 #include "io/scene_json.hpp"
 
 #include <carom/error.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace carom::io {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-std::optional<double> optional_of(double value)
+template <class Record, class Columns>
+BodiesRow row_of(const char* kind, const Columns& columns, const std::vector<Record>& records)
 {
-    return std::isnan(value) ? std::nullopt : std::optional(value);
+    return {kind, static_cast<std::int64_t>(records.size()), pack(columns, std::span(records))};
 }
 
-/// The same numbers in writing and in reading: columns are made by `each`, row by row.
-template <class Items, class Each>
-std::vector<double> column_of(const Items& items, const Each& each)
+std::vector<SphereRow> sphere_rows(const std::vector<Sphere>& spheres)
 {
-    std::vector<double> column;
-    column.reserve(items.size());
-    for (const auto& item : items) column.push_back(each(item));
-    return column;
-}
-
-template <class T, class Items, class Each>
-std::vector<T> integers_of(const Items& items, const Each& each)
-{
-    std::vector<T> column;
-    column.reserve(items.size());
-    for (const auto& item : items) column.push_back(static_cast<T>(each(item)));
-    return column;
-}
-
-Bytes spheres_data(const std::vector<Sphere>& spheres)
-{
-    ColumnWriter out;
-    out.add(column_of(spheres, [](const Sphere& s) { return s.radius; }));
-    out.add(column_of(spheres, [](const Sphere& s) { return s.mass; }));
-    for (int k = 0; k < 3; ++k) out.add(column_of(spheres, [k](const Sphere& s) { return s.position[k]; }));
-    for (int k = 0; k < 3; ++k) out.add(column_of(spheres, [k](const Sphere& s) { return s.velocity[k]; }));
-    out.add(integers_of<std::int32_t>(spheres, [](const Sphere& s) { return s.material; }));
-    out.add(integers_of<std::uint8_t>(spheres, [](const Sphere& s) { return s.fixed; }));
-    return out.bytes();
-}
-
-Bytes planes_data(const std::vector<Plane>& planes)
-{
-    ColumnWriter out;
-    for (int k = 0; k < 3; ++k) out.add(column_of(planes, [k](const Plane& p) { return p.normal[k]; }));
-    out.add(column_of(planes, [](const Plane& p) { return p.offset; }));
-    out.add(column_of(planes, [](const Plane& p) { return p.thickness.value_or(none); }));
-    out.add(integers_of<std::int32_t>(planes, [](const Plane& p) { return p.material; }));
-    return out.bytes();
-}
-
-Bytes materials_data(const std::vector<Material>& materials)
-{
-    ColumnWriter out;
-    out.add(column_of(materials, [](const Material& m) { return m.restitution; }));
-    out.add(column_of(materials, [](const Material& m) { return m.tangential; }));
-    return out.bytes();
-}
-
-Bytes contacts_data(const std::vector<ContactRule>& contacts)
-{
-    ColumnWriter out;
-    out.add(integers_of<std::int32_t>(contacts, [](const ContactRule& c) { return c.a; }));
-    out.add(integers_of<std::int32_t>(contacts, [](const ContactRule& c) { return c.b; }));
-    out.add(column_of(contacts, [](const ContactRule& c) { return c.restitution.value_or(none); }));
-    out.add(column_of(contacts, [](const ContactRule& c) { return c.tangential.value_or(none); }));
-    out.add(column_of(contacts, [](const ContactRule& c) { return c.attenuation.value_or(none); }));
-    return out.bytes();
+    std::vector<SphereRow> rows;
+    rows.reserve(spheres.size());
+    for (const Sphere& s : spheres) rows.push_back({{s.radius, s.mass, s.material, s.fixed}, {s.position, s.velocity}});
+    return rows;
 }
 
 template <class Items>
@@ -88,49 +35,6 @@ BodiesRow ids_row(const char* kind, const Items& items)
     ColumnWriter out;
     out.add(std::vector<std::uint8_t>(text.begin(), text.end()));
     return {kind, static_cast<std::int64_t>(text.size()), out.bytes()};
-}
-
-template <class Items, class Set>
-void read_column(ColumnReader& in, Items& items, const Set& set)
-{
-    std::vector<double> column;
-    in.read(column);
-    for (std::size_t i = 0; i < items.size(); ++i) set(items[i], column[i]);
-}
-
-template <class T, class Items, class Set>
-void read_integers(ColumnReader& in, Items& items, const Set& set)
-{
-    std::vector<T> column;
-    in.read(column);
-    for (std::size_t i = 0; i < items.size(); ++i) set(items[i], column[i]);
-}
-
-void read_spheres(ColumnReader& in, std::vector<RecordedSphere>& spheres, std::vector<RecordedStart>& starts)
-{
-    read_column(in, spheres, [](RecordedSphere& s, double x) { s.radius = x; });
-    read_column(in, spheres, [](RecordedSphere& s, double x) { s.mass = x; });
-    for (int k = 0; k < 3; ++k) read_column(in, starts, [k](RecordedStart& s, double x) { s.position[k] = x; });
-    for (int k = 0; k < 3; ++k) read_column(in, starts, [k](RecordedStart& s, double x) { s.velocity[k] = x; });
-    read_integers<std::int32_t>(in, spheres, [](RecordedSphere& s, std::int32_t m) { s.material = m; });
-    read_integers<std::uint8_t>(in, spheres, [](RecordedSphere& s, std::uint8_t f) { s.fixed = f != 0; });
-}
-
-void read_planes(ColumnReader& in, std::vector<Plane>& planes)
-{
-    for (int k = 0; k < 3; ++k) read_column(in, planes, [k](Plane& p, double x) { p.normal[k] = x; });
-    read_column(in, planes, [](Plane& p, double x) { p.offset = x; });
-    read_column(in, planes, [](Plane& p, double x) { p.thickness = optional_of(x); });
-    read_integers<std::int32_t>(in, planes, [](Plane& p, std::int32_t m) { p.material = m; });
-}
-
-void read_contacts(ColumnReader& in, std::vector<ContactRule>& contacts)
-{
-    read_integers<std::int32_t>(in, contacts, [](ContactRule& c, std::int32_t m) { c.a = m; });
-    read_integers<std::int32_t>(in, contacts, [](ContactRule& c, std::int32_t m) { c.b = m; });
-    read_column(in, contacts, [](ContactRule& c, double x) { c.restitution = optional_of(x); });
-    read_column(in, contacts, [](ContactRule& c, double x) { c.tangential = optional_of(x); });
-    read_column(in, contacts, [](ContactRule& c, double x) { c.attenuation = optional_of(x); });
 }
 
 bool positive(double x)
@@ -171,37 +75,27 @@ std::int64_t most_in_row(const std::string& kind)
 
 std::vector<BodiesRow> bodies_rows(const Scene& scene)
 {
-    const auto count = [](const auto& items) { return static_cast<std::int64_t>(items.size()); };
-    return {{"spheres", count(scene.spheres), spheres_data(scene.spheres)},
+    return {row_of("spheres", sphere_columns, sphere_rows(scene.spheres)),
             ids_row("sphere_ids", scene.spheres),
-            {"planes", count(scene.planes), planes_data(scene.planes)},
+            row_of("planes", plane_columns, scene.planes),
             ids_row("plane_ids", scene.planes),
-            {"materials", count(scene.materials), materials_data(scene.materials)},
-            {"contacts", count(scene.contacts), contacts_data(scene.contacts)}};
+            row_of("materials", material_columns, scene.materials),
+            row_of("contacts", contact_columns, scene.contacts)};
 }
 
 void read_bodies_row(RecordedRun& run, const BodiesRow& row, const std::string& file)
 {
     const auto n = static_cast<std::size_t>(row.count);
-    ColumnReader in(row.data, n, file);
     if (row.kind == "spheres") {
-        run.spheres.resize(n);
-        run.starts.resize(n);
-        read_spheres(in, run.spheres, run.starts);
-    } else if (row.kind == "planes") {
-        run.planes.resize(n);
-        read_planes(in, run.planes);
-    } else if (row.kind == "materials") {
-        run.materials.resize(n);
-        read_column(in, run.materials, [](Material& m, double x) { m.restitution = x; });
-        read_column(in, run.materials, [](Material& m, double x) { m.tangential = x; });
-    } else if (row.kind == "contacts") {
-        run.contacts.resize(n);
-        read_contacts(in, run.contacts);
-    } else {
-        return;  // ids are read when somebody asks for one
+        for (const SphereRow& each : unpack<SphereRow>(sphere_columns, row.data, n, file)) {
+            run.spheres.push_back(each.sphere);
+            run.starts.push_back(each.start);
+        }
     }
-    in.finish();
+    if (row.kind == "planes") run.planes = unpack<Plane>(plane_columns, row.data, n, file);
+    if (row.kind == "materials") run.materials = unpack<Material>(material_columns, row.data, n, file);
+    if (row.kind == "contacts") run.contacts = unpack<ContactRule>(contact_columns, row.data, n, file);
+    // Ids are read when somebody asks for one.
 }
 
 void check_bodies(const RecordedRun& run, const std::string& file)

@@ -16,8 +16,12 @@ public:
 
 private:
     bool read_pair();
-    template <class Columns>
-    void read_chunk(const char* kind, Columns& columns);
+    /// What the next row of chunks has; valid until the next one.
+    struct Chunk {
+        std::span<const unsigned char> data;
+        std::size_t count = 0;
+    };
+    Chunk read_chunk(const char* kind);
     void check_end();
 
     const std::string& file_;
@@ -26,10 +30,9 @@ private:
     bool done_ = false;
     std::uint32_t checksum_;
     std::int64_t next_chunk_ = 0, events_before_ = 0, flights_before_ = 0;
-    EventColumns event_columns_;
-    FlightColumns flight_columns_;
     std::vector<Event> events_;
     std::vector<FlightRecord> flights_;
+    std::vector<std::int64_t> after_;     ///< by flight: how many events came before
     std::size_t event_ = 0, flight_ = 0;  ///< next to be given out
 };
 

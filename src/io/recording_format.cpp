@@ -9,7 +9,7 @@ class Digest {
 public:
     explicit Digest(std::uint32_t before = 0) : crc_(before) {}
     template <class T>
-    Digest& number(T value)
+    Digest& add(T value)
     {
         static_assert(std::is_arithmetic_v<T>);
         unsigned char bytes[sizeof(T)];
@@ -18,15 +18,16 @@ public:
         return *this;
     }
     /// With its length, so that what follows cannot be taken for a part of it.
-    Digest& bytes(std::span<const unsigned char> data)
+    Digest& add(std::span<const unsigned char> data)
     {
-        number(static_cast<std::int64_t>(data.size()));
+        add(static_cast<std::int64_t>(data.size()));
         crc_ = checksum(data, crc_);
         return *this;
     }
-    Digest& text(const std::string& text)
+    Digest& add(const Bytes& data) { return add(std::span(data)); }
+    Digest& add(const std::string& text)
     {
-        return bytes({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+        return add(std::span{reinterpret_cast<const unsigned char*>(text.data()), text.size()});
     }
     std::uint32_t value() const { return crc_; }
 
@@ -37,25 +38,52 @@ private:
 void add_rows(Digest& digest, const Meta& meta, const std::vector<std::string>& keys)
 {
     for (const std::string& key : keys) {
-        digest.text(key);
+        digest.add(key);
         const auto found = meta.find(key);
-        digest.text(found == meta.end() ? std::string() : found->second);
+        digest.add(found == meta.end() ? std::string() : found->second);
     }
 }
 
 }  // namespace
 
-const std::vector<std::string>& recording_tables()
+namespace {
+
+std::string name_of_column(std::string_view column)
 {
-    static const std::vector<std::string> tables{
-        "CREATE TABLE meta(key TEXT, value TEXT)", "CREATE TABLE scene(document BLOB)",
-        "CREATE TABLE frame(epoch_length REAL, cell_size REAL, gravity BLOB, accelerations BLOB, "
-        "closing_speed REAL, impact_window REAL)",
-        "CREATE TABLE bodies(kind TEXT, count INTEGER, data BLOB)",
-        "CREATE TABLE chunks(seq INTEGER PRIMARY KEY, kind TEXT, count INTEGER, first_epoch INTEGER, first_offset "
-        "REAL, last_epoch INTEGER, last_offset REAL, lowest_body INTEGER, highest_body INTEGER, checksum INTEGER, "
-        "data BLOB)"};
-    return tables;
+    return std::string(column.substr(0, column.find(' ')));
+}
+
+/// `part` of each column, separated by ", ".
+template <class Part>
+std::string listed(const RecordingTable& table, const Part& part)
+{
+    std::string text;
+    for (const std::string_view column : table.columns) text += (text.empty() ? "" : ", ") + part(column);
+    return text;
+}
+
+}  // namespace
+
+std::string table_text(const RecordingTable& table)
+{
+    return std::string(table.name) + "(" + listed(table, name_of_column) + ")";
+}
+
+std::string create_table(const RecordingTable& table)
+{
+    return "CREATE TABLE " + std::string(table.name) + "(" +
+           listed(table, [](std::string_view column) { return std::string(column); }) + ")";
+}
+
+std::string select_all(const RecordingTable& table, const char* order)
+{
+    return "SELECT " + listed(table, name_of_column) + " FROM " + std::string(table.name) + " ORDER BY " + order;
+}
+
+std::string insert_into(const RecordingTable& table)
+{
+    return "INSERT INTO " + std::string(table.name) + " VALUES (" +
+           listed(table, [](std::string_view) { return std::string("?"); }) + ")";
 }
 
 const std::vector<std::string>& head_keys()
@@ -76,10 +104,10 @@ std::uint32_t head_checksum(const Meta& meta, const Bytes& scene, const FrameRow
 {
     Digest digest;
     add_rows(digest, meta, head_keys());
-    digest.bytes(scene);
-    digest.number(frame.epoch_length).number(frame.cell_size).bytes(frame.gravity).bytes(frame.accelerations);
-    digest.number(frame.closing_speed).number(frame.window);
-    for (const BodiesRow& row : bodies) digest.text(row.kind).number(row.count).bytes(row.data);
+    digest.add(scene);
+    const auto add = [&](const auto& value) { digest.add(value); };
+    each_frame_value(frame, add);
+    for (const BodiesRow& row : bodies) each_bodies_value(row, add);
     return digest.value();
 }
 
@@ -93,9 +121,8 @@ std::uint32_t end_checksum(const Meta& meta, std::uint32_t before)
 std::uint32_t chunk_checksum(const ChunkRow& row, std::span<const unsigned char> data, std::uint32_t before)
 {
     Digest digest(before);
-    digest.number(row.seq).text(row.kind).number(row.count);
-    digest.number(row.first.epoch).number(row.first.offset).number(row.last.epoch).number(row.last.offset);
-    digest.number(row.lowest_body).number(row.highest_body).bytes(data);
+    each_chunk_value(row, [&](const auto& value) { digest.add(value); });
+    digest.add(data);
     return digest.value();
 }
 

@@ -7,8 +7,11 @@
 
 #include <carom/verify.hpp>
 
+#include <array>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carom::io {
@@ -17,8 +20,40 @@ inline constexpr std::int64_t recording_application_id = 0x6361726f;  ///< "caro
 inline constexpr std::int64_t recording_version = 2;
 inline constexpr const char* recording_format = "carom-recording/2";
 
-/// The statements that make the tables. The reader compares them letter by letter.
-const std::vector<std::string>& recording_tables();
+/// A table of the file: its name, and for each column "NAME TYPE".
+struct RecordingTable {
+    std::string_view name;
+    std::span<const std::string_view> columns;
+};
+namespace recording_table_columns {
+inline constexpr std::array<std::string_view, 2> meta{"key TEXT", "value TEXT"};
+inline constexpr std::array<std::string_view, 1> scene{"document BLOB"};
+inline constexpr std::array<std::string_view, 6> frame{"epoch_length REAL",  "cell_size REAL",
+                                                       "gravity BLOB",       "accelerations BLOB",
+                                                       "closing_speed REAL", "impact_window REAL"};
+inline constexpr std::array<std::string_view, 3> bodies{"kind TEXT", "count INTEGER", "data BLOB"};
+inline constexpr std::array<std::string_view, 11> chunks{
+    "seq INTEGER PRIMARY KEY", "kind TEXT",          "count INTEGER",    "first_epoch INTEGER",
+    "first_offset REAL",       "last_epoch INTEGER", "last_offset REAL", "lowest_body INTEGER",
+    "highest_body INTEGER",    "checksum INTEGER",   "data BLOB"};
+}  // namespace recording_table_columns
+inline constexpr RecordingTable meta_table{"meta", recording_table_columns::meta};
+inline constexpr RecordingTable scene_table{"scene", recording_table_columns::scene};
+inline constexpr RecordingTable frame_table{"frame", recording_table_columns::frame};
+inline constexpr RecordingTable bodies_table{"bodies", recording_table_columns::bodies};
+inline constexpr RecordingTable chunks_table{"chunks", recording_table_columns::chunks};
+/// In the order in which a file has them.
+inline constexpr std::array<RecordingTable, 5> recording_tables{meta_table, scene_table, frame_table, bodies_table,
+                                                                chunks_table};
+
+/// "meta(key, value)", as docs/recording.md names a table.
+std::string table_text(const RecordingTable& table);
+/// The statement that makes a table. The reader compares it letter by letter.
+std::string create_table(const RecordingTable& table);
+/// The statement that reads all rows, every column in its order. \param order the column that they are sorted by
+std::string select_all(const RecordingTable& table, const char* order = "rowid");
+/// The statement that adds a row, a parameter for each column in its order.
+std::string insert_into(const RecordingTable& table);
 
 using Meta = std::map<std::string, std::string>;
 /// Keys of the table meta that are there from the beginning, and those that the end of a run adds.
@@ -37,6 +72,27 @@ struct FrameRow {
     double closing_speed = 0, window = 0;  ///< RecordedRun
 };
 
+/// Each value of a row of `frame` in the order of its columns.
+template <class Row, class Visit>
+void each_frame_value(Row& row, const Visit& visit)
+{
+    visit(row.epoch_length);
+    visit(row.cell_size);
+    visit(row.gravity);
+    visit(row.accelerations);
+    visit(row.closing_speed);
+    visit(row.window);
+}
+
+/// Each value of a row of `bodies` in the order of its columns.
+template <class Row, class Visit>
+void each_bodies_value(Row& row, const Visit& visit)
+{
+    visit(row.kind);
+    visit(row.count);
+    visit(row.data);
+}
+
 /// CRC of everything that is written before the first chunk.
 std::uint32_t head_checksum(const Meta& meta, const Bytes& scene, const FrameRow& frame,
                             const std::vector<BodiesRow>& bodies);
@@ -50,50 +106,21 @@ struct ChunkRow {
     EpochTime first, last;                           ///< times of the first and last row; 0 for none
     std::int64_t lowest_body = 0, highest_body = 0;  ///< named first in the rows; 0 for none
 };
+/// Each value of a row of `chunks` in the order of its columns, up to the checksum.
+template <class Row, class Visit>
+void each_chunk_value(Row& row, const Visit& visit)
+{
+    visit(row.seq);
+    visit(row.kind);
+    visit(row.count);
+    visit(row.first.epoch);
+    visit(row.first.offset);
+    visit(row.last.epoch);
+    visit(row.last.offset);
+    visit(row.lowest_body);
+    visit(row.highest_body);
+}
 /// CRC of a chunk, carried on from the one before: a chunk that is missing, or not in its place, shows.
 std::uint32_t chunk_checksum(const ChunkRow& row, std::span<const unsigned char> data, std::uint32_t before);
-
-/// Rows of a chunk as columns.
-struct EventColumns {
-    std::vector<std::uint8_t> kind;
-    std::vector<std::int32_t> a, b;
-    std::vector<std::int64_t> epoch;
-    std::vector<double> offset;
-    std::vector<double> normal[3], impulse[3];
-
-    std::size_t rows() const { return kind.size(); }
-    void add(const Event& event);
-    Event row(std::size_t i) const;
-    void clear();
-    template <class Self, class Visit>
-    static void visit(Self& self, const Visit& visit);
-};
-
-struct FlightColumns {
-    std::vector<std::int32_t> body;
-    std::vector<std::int64_t> after;  ///< how many events came before
-    std::vector<std::int64_t> epoch;
-    std::vector<double> offset;
-    std::vector<std::int64_t> cell[3];
-    std::vector<double> local[3], local_low[3], velocity[3], velocity_low[3];
-    std::vector<std::int32_t> acceleration, support;
-    std::vector<double> own[3];  ///< zeros but for an acceleration of its own
-    std::vector<std::uint8_t> mode, guarded;
-    std::vector<double> series[10];  ///< all rows; zeros but for series, which cost nothing
-
-    std::size_t rows() const { return body.size(); }
-    void add(const FlightRecord& flight, std::int64_t events_before);
-    /// \pre mode is valid
-    FlightRecord row(std::size_t i) const;
-    void clear();
-    template <class Self, class Visit>
-    static void visit(Self& self, const Visit& visit);
-};
-
-Bytes packed(const EventColumns& columns);
-Bytes packed(const FlightColumns& columns);
-/// \throws InputError if the bytes are no such columns, or a value has no meaning
-void unpack(EventColumns& columns, std::span<const unsigned char> data, std::size_t rows, const std::string& file);
-void unpack(FlightColumns& columns, std::span<const unsigned char> data, std::size_t rows, const std::string& file);
 
 }  // namespace carom::io

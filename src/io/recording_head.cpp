@@ -52,10 +52,12 @@ double tie_of(const std::string& document, const std::string& file)
     return tie->number;
 }
 
-BodiesRow bodies_row(const Statement& row)
+BodiesRow bodies_row(const Statement& rows)
 {
-    const auto data = row.blob(2);
-    return {row.text(0), row.integer(1), Bytes(data.begin(), data.end())};
+    BodiesRow row;
+    int column = 0;
+    each_bodies_value(row, [&](auto& value) { rows.get(column++, value); });
+    return row;
 }
 
 class HeadReader {
@@ -84,16 +86,16 @@ private:
         std::size_t n = 0;
         for (; tables.step(); ++n) {
             const std::string sql = tables.text(3);
-            if (n >= recording_tables().size() || sql != recording_tables()[n] || tables.text(0) != "table" ||
+            if (n >= recording_tables.size() || sql != create_table(recording_tables[n]) || tables.text(0) != "table" ||
                 tables.text(1) != tables.text(2) || !sql.starts_with("CREATE TABLE " + tables.text(1) + "("))
                 damaged(database_.file, "not the tables of a recording");
         }
-        if (n != recording_tables().size()) damaged(database_.file, "not the tables of a recording");
+        if (n != recording_tables.size()) damaged(database_.file, "not the tables of a recording");
     }
 
     void read_meta()
     {
-        Statement rows(database_, "SELECT key, value FROM meta ORDER BY rowid");
+        Statement rows(database_, select_all(meta_table).c_str());
         std::size_t n = 0;
         for (; rows.step(); ++n) out_.meta[rows.text(0)] = rows.text(1);
         const std::size_t head = head_keys().size() + 1, all = head + end_keys().size() + 1;
@@ -112,23 +114,21 @@ private:
     void read_head()
     {
         const std::string& file = database_.file;
-        Statement documents(database_, "SELECT document FROM scene");
+        Statement documents(database_, select_all(scene_table).c_str());
         if (!documents.step()) damaged(database_.file, "no scene");
         const auto document = documents.blob(0);
         out_.scene.assign(document.begin(), document.end());
         if (documents.step()) damaged(database_.file, "several scenes");
 
-        Statement frames(database_,
-                         "SELECT epoch_length, cell_size, gravity, accelerations, closing_speed, "
-                         "impact_window FROM frame");
+        Statement frames(database_, select_all(frame_table).c_str());
         if (!frames.step()) damaged(database_.file, "no frame");
-        FrameRow frame{frames.real(0), frames.real(1), {}, {}, frames.real(4), frames.real(5)};
-        frame.gravity.assign(frames.blob(2).begin(), frames.blob(2).end());
-        frame.accelerations.assign(frames.blob(3).begin(), frames.blob(3).end());
+        FrameRow frame;
+        int column = 0;
+        each_frame_value(frame, [&](auto& value) { frames.get(column++, value); });
         if (frames.step()) damaged(database_.file, "several frames");
 
         std::vector<BodiesRow> bodies;
-        Statement rows(database_, "SELECT kind, count, data FROM bodies ORDER BY rowid");
+        Statement rows(database_, select_all(bodies_table).c_str());
         while (rows.step()) bodies.push_back(bodies_row(rows));
         out_.checksum = head_checksum(out_.meta, Bytes(out_.scene.begin(), out_.scene.end()), frame, bodies);
         if (out_.checksum != parse<std::uint32_t>(out_.meta, "head_checksum", file))
@@ -195,7 +195,7 @@ std::string read_body_name(Database& database, const RecordedRun& run, BodyId bo
     const std::string kind = is_sphere ? "sphere_ids" : "plane_ids";
     const auto index = static_cast<std::size_t>(is_sphere ? body : body - n);
     std::vector<std::string> ids;
-    Statement rows(database, "SELECT kind, count, data FROM bodies ORDER BY rowid");
+    Statement rows(database, select_all(bodies_table).c_str());
     while (rows.step())
         if (const BodiesRow row = bodies_row(rows); row.kind == kind) ids = ids_of(row, database.file);
     if (index >= ids.size()) damaged(database.file, "an id is missing");

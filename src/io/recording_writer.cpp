@@ -3,6 +3,7 @@
 #include "io/limits.hpp"
 #include "io/numbers.hpp"
 #include "io/recording_bodies.hpp"
+#include "io/recording_columns.hpp"
 #include "io/scene_json.hpp"
 
 #include <fmt/format.h>
@@ -64,26 +65,22 @@ public:
         checksum_ = head_checksum(meta_, document, row, bodies);
 
         database_.execute("BEGIN");
-        for (const std::string& table : recording_tables()) database_.execute(table.c_str());
+        for (const RecordingTable& table : recording_tables) database_.execute(create_table(table).c_str());
         insert_meta(head_keys());
         insert_meta("head_checksum", std::to_string(checksum_));
-        Statement(database_, "INSERT INTO scene VALUES (?)").bind(0, document).step();
-        Statement(database_, "INSERT INTO frame VALUES (?, ?, ?, ?, ?, ?)")
-            .bind(0, row.epoch_length)
-            .bind(1, row.cell_size)
-            .bind(2, row.gravity)
-            .bind(3, row.accelerations)
-            .bind(4, row.closing_speed)
-            .bind(5, row.window)
-            .step();
-        for (const BodiesRow& each : bodies)
-            Statement(database_, "INSERT INTO bodies VALUES (?, ?, ?)")
-                .bind(0, each.kind)
-                .bind(1, each.count)
-                .bind(2, each.data)
-                .step();
+        Statement(database_, insert_into(scene_table).c_str()).bind(0, document).step();
+        Statement insert_frame(database_, insert_into(frame_table).c_str());
+        int parameter = 0;
+        each_frame_value(row, [&](const auto& value) { insert_frame.bind(parameter++, value); });
+        insert_frame.step();
+        for (const BodiesRow& each : bodies) {
+            Statement insert(database_, insert_into(bodies_table).c_str());
+            parameter = 0;
+            each_bodies_value(each, [&](const auto& value) { insert.bind(parameter++, value); });
+            insert.step();
+        }
         database_.execute("COMMIT");
-        insert_chunk_.emplace(database_, "INSERT INTO chunks VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        insert_chunk_.emplace(database_, insert_into(chunks_table).c_str());
         last_write_ = Clock::now();
     }
 
@@ -92,22 +89,22 @@ public:
         // A chunk ends where an instant does: its events are never parted from its flights.
         if (flight_was_last_ && is_time_to_write()) write();
         flight_was_last_ = false;
-        events_.add(event);
+        events_.push_back(event);
         ++event_count_;
     }
 
     void add(const FlightRecord& flight)
     {
-        if (event_count_ == 0 && flights_.rows() >= chunk_rows) write();  // of the start there may be millions
+        if (event_count_ == 0 && flights_.size() >= chunk_rows) write();  // of the start there may be millions
         flight_was_last_ = true;
-        flights_.add(flight, event_count_);
+        flights_.push_back({flight, event_count_});
         ++flight_count_;
     }
 
     void finish(const Outcome& outcome)
     {
         if (!insert_chunk_) begin({});
-        if (events_.rows() + flights_.rows() > 0) write();
+        if (events_.size() + flights_.size() > 0) write();
         meta_["status"] = name(outcome.status);
         meta_["message"] = outcome.message;
         meta_["time"] = number_text(outcome.time);
@@ -128,14 +125,14 @@ private:
 
     bool is_time_to_write()
     {
-        if (flights_.rows() + events_.rows() >= chunk_rows) return true;
+        if (flights_.size() + events_.size() >= chunk_rows) return true;
         if (++looked_ % clock_look_every != 0) return false;
         return Clock::now() - last_write_ >= chunk_time;
     }
 
     void insert_meta(const std::string& key, const std::string& value)
     {
-        Statement(database_, "INSERT INTO meta VALUES (?, ?)").bind(0, key).bind(1, value).step();
+        Statement(database_, insert_into(meta_table).c_str()).bind(0, key).bind(1, value).step();
     }
     void insert_meta(const std::vector<std::string>& keys)
     {
@@ -146,34 +143,40 @@ private:
     void write()
     {
         database_.execute("BEGIN");
-        insert("events", events_, events_.a);
-        insert("flights", flights_, flights_.body);
+        insert("events", events_);
+        insert("flights", flights_);
         database_.execute("COMMIT");
         events_.clear();
         flights_.clear();
         last_write_ = Clock::now();
     }
 
-    template <class Columns>
-    void insert(const char* kind, const Columns& columns, const std::vector<BodyId>& bodies)
+    static BodyId body_of(const Event& event) { return event.a; }
+    static BodyId body_of(const FlightRow& row) { return row.flight.body; }
+    static EpochTime time_of(const Event& event) { return event.at; }
+    static EpochTime time_of(const FlightRow& row) { return row.flight.start; }
+
+    template <class Record>
+    void insert(const char* kind, const std::vector<Record>& records)
     {
         ChunkRow row;
         row.seq = next_chunk_++;
         row.kind = kind;
-        row.count = static_cast<std::int64_t>(columns.rows());
-        if (row.count > 0) {
-            row.first = {columns.epoch.front(), columns.offset.front()};
-            row.last = {columns.epoch.back(), columns.offset.back()};
-            row.lowest_body = *std::min_element(bodies.begin(), bodies.end());
-            row.highest_body = *std::max_element(bodies.begin(), bodies.end());
+        row.count = static_cast<std::int64_t>(records.size());
+        if (!records.empty()) {
+            row.first = time_of(records.front());
+            row.last = time_of(records.back());
+            row.lowest_body = row.highest_body = body_of(records.front());
         }
-        const Bytes data = packed(columns);
+        for (const Record& record : records) {
+            row.lowest_body = std::min<std::int64_t>(row.lowest_body, body_of(record));
+            row.highest_body = std::max<std::int64_t>(row.highest_body, body_of(record));
+        }
+        const Bytes data = packed(std::span(records));
         checksum_ = chunk_checksum(row, data, checksum_);
-        insert_chunk_->bind(0, row.seq).bind(1, row.kind).bind(2, row.count);
-        insert_chunk_->bind(3, row.first.epoch).bind(4, row.first.offset);
-        insert_chunk_->bind(5, row.last.epoch).bind(6, row.last.offset);
-        insert_chunk_->bind(7, row.lowest_body).bind(8, row.highest_body);
-        insert_chunk_->bind(9, static_cast<std::int64_t>(checksum_)).bind(10, data);
+        int parameter = 0;
+        each_chunk_value(row, [&](const auto& value) { insert_chunk_->bind(parameter++, value); });
+        insert_chunk_->bind(parameter, static_cast<std::int64_t>(checksum_)).bind(parameter + 1, data);
         insert_chunk_->step();
         insert_chunk_->reset();
     }
@@ -183,8 +186,8 @@ private:
     Meta meta_;
     std::optional<Statement> insert_chunk_;
     std::uint32_t checksum_ = 0;
-    EventColumns events_;
-    FlightColumns flights_;
+    std::vector<Event> events_;
+    std::vector<FlightRow> flights_;
     std::int64_t event_count_ = 0, flight_count_ = 0, next_chunk_ = 0;
     bool flight_was_last_ = false;
     std::int64_t looked_ = 0;

@@ -40,6 +40,8 @@ void read_box(ObjectView& root, SceneDraft& draft);
 void read_fills(ObjectView& root, SceneDraft& draft);
 // scene_checks.cpp: after all bodies
 void read_checks(ObjectView& root, SceneDraft& draft);
+// scene_stress.cpp
+void read_stress(ObjectView& root, SceneDraft& draft);
 // scene_defaults.cpp
 void read_command_defaults(ObjectView& root, SceneDraft& draft);
 

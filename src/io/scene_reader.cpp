@@ -97,6 +97,7 @@ Scene parse_scene(std::string_view text, const std::string& file, const ReadOpti
     io::read_fills(root, draft);
     if (draft.patience.ended()) throw Stopped();
     io::read_checks(root, draft);
+    io::read_stress(root, draft);
     io::read_command_defaults(root, draft);
     io::refuse_what_comes_later(root);
     root.finish();

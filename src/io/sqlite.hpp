@@ -62,6 +62,11 @@ public:
     /// Valid until the next step.
     std::span<const unsigned char> blob(int i) const;
 
+    void get(int i, std::int64_t& value) const { value = integer(i); }
+    void get(int i, double& value) const { value = real(i); }
+    void get(int i, std::string& value) const { value = text(i); }
+    void get(int i, Bytes& value) const { value.assign(blob(i).begin(), blob(i).end()); }
+
 private:
     friend class Database;
     void expect(int i, int type) const;

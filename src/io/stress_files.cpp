@@ -1,5 +1,6 @@
 #include "io/stress_files.hpp"
 
+#include "core/names.hpp"
 #include "io/numbers.hpp"
 
 #include <nlohmann/json.hpp>
@@ -10,25 +11,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // dumps numbers that are not finite as null
 
+/// Keys of a result, in the order of stress.csv.
 Json result_json(const stress::Result& result)
 {
     return {{"method", result.method},
-            {"passed", result.passed},
-            {"figure", result.figure},
+            {"passed", result.passed()},
+            {"figure", result.evidence.figure},
             {"limit", result.limit},
-            {"symptom", stress::name(result.symptom)},
-            {"worst", result.worst},
+            {"symptom", name_of(result.symptom, symptom_names)},
+            {"worst", result.evidence.worst},
             {"reason", result.reason},
             {"cpu_seconds", result.seconds}};
 }
 
-Json case_json(const stress::CaseResult& c)
+std::string field(const Json& value)
 {
-    Json json = {{"name", c.name},     {"title", c.title}, {"about", c.about},
-                 {"figure", c.figure}, {"rule", c.rule},   {"step", c.step}};
-    json["results"] = Json::array();
-    for (const stress::Result& result : c.results) json["results"].push_back(result_json(result));
-    return json;
+    if (value.is_number()) return number_text(value.get<double>());
+    return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
 }  // namespace
@@ -36,11 +35,13 @@ Json case_json(const stress::CaseResult& c)
 std::string stress_csv(const stress::Report& report)
 {
     std::string text = std::string(stress_csv_header) + "\n";
-    for (const stress::CaseResult& c : report.cases)
-        for (const stress::Result& r : c.results)
-            text += c.name + "," + r.method + "," + (r.passed ? "true" : "false") + "," + number_text(r.figure) + "," +
-                    number_text(r.limit) + "," + stress::name(r.symptom) + "," + csv_field(r.worst) + "," +
-                    csv_field(r.reason) + "," + number_text(r.seconds) + "\n";
+    for (const stress::Case& each : report.cases)
+        for (const stress::Result& result : each.results) {
+            text += each.words.case_name;
+            const Json fields = result_json(result);
+            for (const Json& value : fields) text += "," + field(value);
+            text += "\n";
+        }
     return text;
 }
 
@@ -53,7 +54,17 @@ std::string stress_json(const stress::Report& report, const CommandFacts& comman
     put_stopped(json, command);
     put_seconds(json, command);
     json["cases"] = Json::array();
-    for (const stress::CaseResult& c : report.cases) json["cases"].push_back(case_json(c));
+    for (const stress::Case& each : report.cases) {
+        const StressPart& words = each.words;
+        Json& entry = json["cases"].emplace_back(Json{{"name", words.case_name},
+                                                      {"title", words.title},
+                                                      {"about", each.about},
+                                                      {"figure", words.figure},
+                                                      {"rule", each.rule()},
+                                                      {"step", words.step},
+                                                      {"results", Json::array()}});
+        for (const stress::Result& result : each.results) entry["results"].push_back(result_json(result));
+    }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include "report/side_view.hpp"
 #include "report/tolerances.hpp"
+#include "study/compare_columns.hpp"
 #include "study/method_verdict.hpp"
 #include "study/words.hpp"
 
@@ -32,35 +33,16 @@ std::string label(const CompareRow& row)
 
 Json row_json(const CompareRow& row)
 {
-    return {{"method", row.method},
-            {"dt", optional_json(row.dt)},
-            {"substeps", optional_json(row.substeps)},
-            {"passes", optional_json(row.passes)},
-            {"label", label(row)},
-            {"cpu_seconds", row.cpu_seconds},
-            {"cpu_min", row.cpu_min},
-            {"cpu_max", row.cpu_max},
-            {"position_rms", optional_json(row.position_rms)},
-            {"position_max", optional_json(row.position_max)},
-            {"position_final_rms", optional_json(row.position_final_rms)},
-            {"position_final_max", optional_json(row.position_final_max)},
-            {"velocity_rms", optional_json(row.velocity_rms)},
-            {"energy_error", optional_json(row.energy_error)},
-            {"max_penetration", row.max_penetration},
-            {"missed_impacts", row.missed_impacts},
-            {"invented_impacts", row.invented_impacts},
-            {"impacts", row.impacts},
-            {"rest_jitter", optional_json(row.rest_jitter)},
-            {"divergence_time", optional_json(row.divergence_time)},
-            {"reference_bound", row.reference_bound},
-            {"steps", row.steps},
-            {"root_solves", row.root_solves},
-            {"pair_tests", row.pair_tests},
-            {"status", name(row.status)},
-            // What only the page needs, beyond the columns of the CSV.
-            {"mistimed_impacts", row.mistimed_impacts},
-            {"reference_impacts", row.reference_impacts},
-            {"time", row.time}};
+    Json json;
+    for (const study::CompareColumn& column : study::compare_columns) {
+        json[std::string(column.name)] = study::cell_value<Json>(column.cell(row));
+        if (column.name == "passes") json["label"] = label(row);
+    }
+    // What only the page needs, beyond the columns of the CSV.
+    json["mistimed_impacts"] = row.mistimed_impacts;
+    json["reference_impacts"] = row.reference_impacts;
+    json["time"] = row.time;
+    return json;
 }
 
 Json series_json(const Comparison& comparison)

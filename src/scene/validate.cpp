@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/text.hpp"
+#include "scene/check_keys.hpp"
 #include "scene/tolerances.hpp"
 
 namespace carom {
@@ -51,6 +51,7 @@ public:
         for (std::size_t p = 0; p < scene_.planes.size(); ++p)
             for (std::size_t q = 0; q < p; ++q) wedge(p, scene_.planes[q]);
         for (std::size_t k = 0; k < scene_.checks.size(); ++k) check("/checks/" + std::to_string(k), scene_.checks[k]);
+        if (scene_.stress) stress(*scene_.stress);
         return std::move(lines_);
     }
 
@@ -157,11 +158,9 @@ private:
     }
     void check(const std::string& place, const Check& c)
     {
-        static constexpr std::array<std::string_view, 9> types{"no_overlap", "energy",         "momentum",
-                                                               "inside",     "event_time",     "event_count",
-                                                               "rest_time",  "final_position", "final_velocity"};
-        rule(std::find(types.begin(), types.end(), c.type) != types.end(), place + "/type",
-             "unknown check " + quoted(c.type));
+        const auto type = static_cast<std::size_t>(c.type);
+        rule(type < check_keys.size(), place + "/type", "unknown check " + std::to_string(type));
+        if (type >= check_keys.size()) return;
         not_negative(place + "/abs", c.abs);
         not_negative(place + "/rel", c.rel);
         rule(!(c.abs && c.rel), place, "has both abs and rel (give one)");
@@ -169,9 +168,21 @@ private:
         rule(c.index >= 0, place + "/event", "must be >= 0");
         rule(c.count >= 0, place + "/count", "must be >= 0");
         finite(place + "/value", c.value);
-        const bool names_body = c.type == "rest_time" || c.type == "final_position" || c.type == "final_velocity";
-        const bool known = c.body >= 0 && static_cast<std::size_t>(c.body) < scene_.spheres.size();
-        rule(!names_body || known, place + "/body", "must name a sphere of the scene");
+        const auto known = [](BodyId body, std::size_t count) {
+            return body >= 0 && static_cast<std::size_t>(body) < count;
+        };
+        const std::size_t spheres = scene_.spheres.size(), bodies = spheres + scene_.planes.size();
+        rule(!check_keys_of(c.type).has(CheckKey::body) || known(c.body, spheres), place + "/body",
+             "must name a sphere of the scene");
+        rule(!c.between || (known((*c.between)[0], bodies) && known((*c.between)[1], bodies)), place + "/between",
+             "must name two bodies of the scene");
+    }
+    void stress(const StressPart& s)
+    {
+        rule(!s.case_name.empty(), "/stress/case", "must not be empty");
+        positive("/stress/dt", s.dt);
+        not_negative("/stress/exact", s.exact);
+        not_negative("/stress/limit", s.limit);
     }
 
     const Scene& scene_;

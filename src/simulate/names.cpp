@@ -1,67 +1,29 @@
 /// \file
 /// The words that options, results and files use for the enumerations of the public headers.
+#include "core/names.hpp"
+
 #include <carom/error.hpp>
 #include <carom/simulate.hpp>
 
-#include <array>
 #include <type_traits>
 #include <utility>
 
 namespace carom {
 
+// Each name is a literal, which ends in a null character.
 const char* name(Mode mode)
 {
-    switch (mode) {
-        case Mode::flying:
-            return "flying";
-        case Mode::series:
-            return "series";
-        case Mode::sliding:
-            return "sliding";
-        case Mode::resting:
-            return "resting";
-        case Mode::numeric:
-            return "numeric";
-        case Mode::fixed:
-            return "fixed";
-    }
-    return "?";
+    return name_of(mode, mode_names).data();
 }
 
 const char* name(EventKind kind)
 {
-    switch (kind) {
-        case EventKind::impact:
-            return "impact";
-        case EventKind::rest:
-            return "rest";
-        case EventKind::release:
-            return "release";
-        case EventKind::guard:
-            return "guard";
-        case EventKind::settle:
-            return "settle";
-    }
-    return "?";
+    return name_of(kind, event_kind_names, first_event_kind).data();
 }
 
 const char* name(Status status)
 {
-    switch (status) {
-        case Status::reached_end:
-            return "reached_end";
-        case Status::event_limit:
-            return "event_limit";
-        case Status::time_limit:
-            return "time_limit";
-        case Status::zeno:
-            return "zeno";
-        case Status::unresolved:
-            return "unresolved";
-        case Status::interrupted:
-            return "interrupted";
-    }
-    return "?";
+    return name_of(status, status_names).data();
 }
 
 namespace {
@@ -119,20 +81,17 @@ const StepOptions* step_options(const Method& method)
         method);
 }
 
-namespace {
-constexpr std::array<std::string_view, 4> order_names{"index", "reverse", "random", "deepest"};
-}
-
 ContactOrder contact_order(std::string_view wanted)
 {
-    for (std::size_t i = 0; i < order_names.size(); ++i)
-        if (order_names[i] == wanted) return static_cast<ContactOrder>(i);
-    throw InputError({"unknown order \"" + std::string(wanted) + "\" (take index, reverse, random or deepest)"});
+    if (const auto order = value_named<ContactOrder>(wanted, contact_order_names)) return *order;
+    std::string known;
+    for (const std::string_view name : contact_order_names) known += (known.empty() ? "" : ", ") + std::string(name);
+    throw InputError({"unknown order \"" + std::string(wanted) + "\" (take " + known + ")"});
 }
 
 std::string_view name(ContactOrder order)
 {
-    return order_names[static_cast<std::size_t>(order)];
+    return name_of(order, contact_order_names);
 }
 
 std::vector<double> sample_grid(double until, std::size_t n)

@@ -1,5 +1,6 @@
 #include <carom/checks.hpp>
 
+#include "core/names.hpp"
 #include "core/text.hpp"
 #include "scene/tolerances.hpp"
 
@@ -17,10 +18,18 @@ std::string vector_text(const Vec3& v)
 
 std::string title(const Scene& scene, const Check& check)
 {
-    if (check.type == "event_time") return check.type + " " + std::to_string(check.index);
-    if (check.type == "event_count") return check.type + " " + check.kind;
-    if (check.body != no_body) return check.type + " " + scene.body_name(check.body);
-    return check.type;
+    const std::string type(name_of(check.type, check_type_names));
+    if (check.type == CheckType::event_time) {
+        std::string of;
+        if (check.between)
+            of = " of " + scene.body_name((*check.between)[0]) + " and " + scene.body_name((*check.between)[1]);
+        return type + " " + std::to_string(check.index) + of;
+    }
+    if (check.type == CheckType::event_count) return type + " " + name(check.kind);
+    if (check.type == CheckType::position)
+        return type + " " + scene.body_name(check.body) + " at " + to_text(check.time, 10);
+    if (check.body != no_body) return type + " " + scene.body_name(check.body);
+    return type;
 }
 
 /// Sum of m |v| [mass length/time].
@@ -31,12 +40,20 @@ double momentum_scale(const Scene& scene)
     return sum;
 }
 
-std::int64_t count_of(const Counts& counts, const std::string& kind)
+std::int64_t count_of(const Counts& counts, EventKind kind)
 {
-    if (kind == "rest") return counts.rests;
-    if (kind == "release") return counts.releases;
-    if (kind == "guard") return counts.guarded;
-    if (kind == "settle") return counts.settles;
+    switch (kind) {
+        case EventKind::rest:
+            return counts.rests;
+        case EventKind::release:
+            return counts.releases;
+        case EventKind::guard:
+            return counts.guarded;
+        case EventKind::settle:
+            return counts.settles;
+        case EventKind::impact:
+            break;
+    }
     return counts.impacts;
 }
 
@@ -44,32 +61,66 @@ class Evaluator {
 public:
     Evaluator(const Scene& scene, const CheckedRun& run) : scene_(scene), run_(run) {}
 
-    CheckResult evaluate(const Check& check)
+    /// \param sight what check had looked at
+    CheckResult evaluate(const Check& check, const CheckSight& sight)
     {
         result_ = {};
         result_.what = title(scene_, check);
-        const Outcome& outcome = run_.study.outcome;
-        if (check.type == "event_time") {
-            const auto index = static_cast<std::size_t>(check.index);
-            if (index < run_.impact_times.size())
-                compare_number(check, run_.impact_times[index]);
-            else
-                absent("there are only " + std::to_string(outcome.counts.impacts) + " impacts");
-        } else if (check.type == "rest_time") {
-            const auto& time = outcome.rest_times[static_cast<std::size_t>(check.body)];
-            if (time)
-                compare_number(check, *time);
-            else
-                absent("it did not come to rest");
-        } else if (check.type == "event_count") {
-            const auto count = count_of(outcome.counts, check.kind);
-            judge(check, static_cast<double>(std::abs(count - check.count)), static_cast<double>(check.count));
-            result_.message = "expected " + std::to_string(check.count) + ", found " + std::to_string(count);
-            needs_end(count > check.count);
-        } else if (check.type == "final_position" || check.type == "final_velocity") {
-            final_vector(check);
-        } else {
-            conserved(check);
+        const Outcome& outcome = study().outcome;
+        switch (check.type) {
+            case CheckType::no_overlap:
+                no_overlap(check);
+                break;
+            case CheckType::energy:
+                energy(check, study().max_energy_change);
+                needs_end(true);
+                break;
+            case CheckType::final_energy:
+                energy(check, std::abs(energy_difference(scene_, outcome.final, initial_states(scene_))));
+                needs_end(false);
+                break;
+            case CheckType::momentum:
+                momentum(check);
+                break;
+            case CheckType::inside:
+                judge(check, static_cast<double>(study().escaped), 1);
+                result_.message = std::to_string(study().escaped) + " outside";
+                needs_end(false);
+                break;
+            case CheckType::event_time:
+                time(check, sight.time,
+                     check.between ? "there is no such impact"
+                                   : "there are only " + std::to_string(outcome.counts.impacts) + " impacts");
+                break;
+            case CheckType::event_count:
+                event_count(check);
+                break;
+            case CheckType::rest_time:
+                time(check,
+                     outcome.rest_times.empty() ? std::nullopt
+                                                : outcome.rest_times[static_cast<std::size_t>(check.body)],
+                     "it did not come to rest");
+                break;
+            case CheckType::position:
+                if (sight.position)
+                    vector(check, *sight.position);
+                else
+                    absent("the run is over before that time");
+                break;
+            case CheckType::final_position:
+                vector(check, outcome.final[static_cast<std::size_t>(check.body)].position);
+                needs_end(false);
+                break;
+            case CheckType::final_velocity:
+                vector(check, outcome.final[static_cast<std::size_t>(check.body)].velocity);
+                needs_end(false);
+                break;
+            case CheckType::moved:
+            case CheckType::moved_origin:
+            case CheckType::later:
+            case CheckType::reversed:
+                repeat(check, sight.repeat);
+                break;
         }
         return result_;
     }
@@ -106,43 +157,59 @@ private:
         result_.message = complete() ? why : why_open();
     }
 
-    void compare_number(const Check& check, double found)
+    void time(const Check& check, const std::optional<double>& found, const std::string& why_not)
     {
-        judge(check, std::abs(found - check.time), std::abs(check.time));
-        result_.message = "expected " + to_text(check.time) + ", found " + to_text(found);
+        if (!found) return absent(why_not);
+        judge(check, std::abs(*found - check.time), std::abs(check.time));
+        result_.message = "expected " + to_text(check.time) + ", found " + to_text(*found);
     }
 
-    void final_vector(const Check& check)
+    void event_count(const Check& check)
     {
-        const BodyState& state = study().outcome.final[static_cast<std::size_t>(check.body)];
-        const Vec3& found = check.type == "final_position" ? state.position : state.velocity;
-        judge(check, (found - check.value).norm(), check.value.norm());
+        const auto count = count_of(study().outcome.counts, check.kind);
+        judge(check, static_cast<double>(std::abs(count - check.count)), static_cast<double>(check.count));
+        result_.message = "expected " + std::to_string(check.count) + ", found " + std::to_string(count);
+        needs_end(count > check.count);
+    }
+
+    void vector(const Check& check, const Vec3& found)
+    {
+        judge(check, (found - check.value).stableNorm(), check.value.stableNorm());
         result_.message = "expected " + vector_text(check.value) + ", found " + vector_text(found);
+    }
+
+    void no_overlap(const Check& check)
+    {
+        const double radius = smallest_radius(scene_);
+        judge(check, study().max_penetration, radius, declared_contact * radius);
+        result_.message = "deepest overlap " + to_text(study().max_penetration, 3);
+        needs_end(true);
+    }
+
+    void energy(const Check& check, double change)
+    {
+        judge(check, change, study().max_kinetic_energy);
+        result_.message =
+            "changed by " + to_text(change, 3) + (conserves_energy(scene_) ? "" : " (some contacts take energy)");
+    }
+
+    void momentum(const Check& check)
+    {
+        const double change = (study().final_momentum - study().initial_momentum).norm();
+        judge(check, change, momentum_scale(scene_));
+        result_.message = "changed by " + to_text(change, 3);
         needs_end(false);
     }
 
-    void conserved(const Check& check)
+    void repeat(const Check& check, const std::optional<Repeat>& repeat)
     {
-        if (check.type == "no_overlap") {
-            const double radius = smallest_radius(scene_);
-            judge(check, study().max_penetration, radius, declared_contact * radius);
-            result_.message = "deepest overlap " + to_text(study().max_penetration, 3);
-            needs_end(true);
-        } else if (check.type == "energy") {
-            judge(check, study().max_energy_change, study().max_kinetic_energy);
-            result_.message = "changed by at most " + to_text(study().max_energy_change, 3) +
-                              (conserves_energy(scene_) ? "" : " (some contacts take energy)");
-            needs_end(true);
-        } else if (check.type == "momentum") {
-            const double change = (study().final_momentum - study().initial_momentum).norm();
-            judge(check, change, momentum_scale(scene_));
-            result_.message = "changed by " + to_text(change, 3);
-            needs_end(false);
-        } else {  // inside
-            judge(check, static_cast<double>(study().escaped), 1);
-            result_.message = std::to_string(study().escaped) + " outside";
-            needs_end(false);
-        }
+        if (!repeat) return absent("the run was not repeated");
+        judge(check, repeat->difference, 1);
+        const Outcome& second = repeat->outcome;
+        if (second.status != Status::reached_end)
+            result_.message = std::string("the repeated run ended ") + name(second.status) + ": " + second.message;
+        else
+            result_.message = repeat->other_events ? "other events" : "off by " + to_text(repeat->difference, 3);
     }
 
     const Scene& scene_;
@@ -154,15 +221,7 @@ private:
 
 const char* name(CheckVerdict verdict)
 {
-    switch (verdict) {
-        case CheckVerdict::holds:
-            return "holds";
-        case CheckVerdict::fails:
-            return "fails";
-        case CheckVerdict::open:
-            return "open";
-    }
-    return "?";
+    return name_of(verdict, check_verdict_names).data();
 }
 
 bool CheckReport::all_hold() const
@@ -181,26 +240,9 @@ std::vector<CheckResult> evaluate_checks(const Scene& scene, const CheckedRun& r
 {
     Evaluator evaluator(scene, run);
     std::vector<CheckResult> results;
-    for (const Check& check : scene.checks) results.push_back(evaluator.evaluate(check));
+    for (std::size_t k = 0; k < scene.checks.size(); ++k)
+        results.push_back(evaluator.evaluate(scene.checks[k], k < run.sights.size() ? run.sights[k] : CheckSight{}));
     return results;
-}
-
-CheckReport check_scene(const Scene& scene, const std::function<bool(double)>& on_progress)
-{
-    std::size_t wanted = 0;
-    for (const Check& check : scene.checks)
-        if (check.type == "event_time") wanted = std::max(wanted, static_cast<std::size_t>(check.index) + 1);
-    CheckReport report;
-    RunStudyOptions options;
-    options.on_progress = on_progress;
-    if (wanted > 0)
-        options.on_event = [&](const Event& event) {
-            if (event.kind == EventKind::impact && report.run.impact_times.size() < wanted)
-                report.run.impact_times.push_back(event.time);
-        };
-    report.run.study = run_study(scene, EventDriven{}, options);
-    report.results = evaluate_checks(scene, report.run);
-    return report;
 }
 
 }  // namespace carom

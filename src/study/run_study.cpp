@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace carom {
 
@@ -27,7 +28,9 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
         if (event_driven) deepest = std::max(deepest, max_penetration(scene, states));
     };
     Observer observer;
-    observer.sample_times = sample_grid(until, options.intervals);
+    const std::vector<double> grid = sample_grid(until, options.intervals);
+    std::set_union(grid.begin(), grid.end(), options.more_times.begin(), options.more_times.end(),
+                   std::back_inserter(observer.sample_times));
     observer.on_event = options.on_event;
     observer.on_frame = options.on_frame;
     observer.on_flight = options.on_flight;
@@ -43,9 +46,10 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
         };
     }
     observer.on_progress = options.on_progress;
-    observer.on_sample = [&](std::size_t, double, std::span<const BodyState> states) {
+    observer.on_sample = [&](std::size_t, double time, std::span<const BodyState> states) {
         if (dear) watch.pause();
         look(states);
+        if (options.on_state) options.on_state(time, states);
         if (dear) watch.resume();
     };
     result.outcome = simulate(scene, method, options.run, observer);

@@ -66,4 +66,13 @@ inline constexpr double smallest_named_length = 1e-9;
 /// Length [m] from which on metres are written.
 inline constexpr double metres_from = 1;
 
+// Stress cases (stress.cpp).
+
+/// Time [s] after which a discrete run of a stress case is given up: those that end take less than a tenth of it.
+inline constexpr double longest_stress_run = 20;
+/// Overlap [smallest radius] that counts as having sunk: half of a sphere is inside another one.
+inline constexpr double sunk = 0.5;
+/// Change [largest kinetic energy] of energy that counts as not kept: it is seen on a plot.
+inline constexpr double much_energy = 0.01;
+
 }  // namespace carom::study

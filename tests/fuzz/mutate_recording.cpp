@@ -1,5 +1,7 @@
 #include "fuzz/mutate_recording.hpp"
 
+#include "io/recording_columns.hpp"
+
 #include <carom/error.hpp>
 
 #include <algorithm>
@@ -88,11 +90,6 @@ void change(Event& e, Random& random)
     }
 }
 
-struct FlightRow {
-    FlightRecord flight;
-    std::int64_t after = 0;
-};
-
 void change(SeriesRecord& s, Random& random)
 {
     const std::size_t k = random.below(3);
@@ -168,27 +165,17 @@ void change_rows(std::vector<Row>& rows, Random& random)
 
 void change_events(Chunk& chunk, Random& random)
 {
-    EventColumns columns;
-    unpack(columns, chunk.data, static_cast<std::size_t>(chunk.row.count), "");
-    std::vector<Event> rows;
-    for (std::size_t i = 0; i < columns.rows(); ++i) rows.push_back(columns.row(i));
+    std::vector<Event> rows = unpacked_events(chunk.data, static_cast<std::size_t>(chunk.row.count), "");
     change_rows(rows, random);
-    columns.clear();
-    for (const Event& event : rows) columns.add(event);
-    chunk.data = packed(columns);
+    chunk.data = packed(std::span<const Event>(rows));
     chunk.row.count = static_cast<std::int64_t>(rows.size());
 }
 
 void change_flights(Chunk& chunk, Random& random)
 {
-    FlightColumns columns;
-    unpack(columns, chunk.data, static_cast<std::size_t>(chunk.row.count), "");
-    std::vector<FlightRow> rows;
-    for (std::size_t i = 0; i < columns.rows(); ++i) rows.push_back({columns.row(i), columns.after[i]});
+    std::vector<FlightRow> rows = unpacked_flights(chunk.data, static_cast<std::size_t>(chunk.row.count), "");
     change_rows(rows, random);
-    columns.clear();
-    for (const FlightRow& row : rows) columns.add(row.flight, row.after);
-    chunk.data = packed(columns);
+    chunk.data = packed(std::span<const FlightRow>(rows));
     chunk.row.count = static_cast<std::int64_t>(rows.size());
 }
 

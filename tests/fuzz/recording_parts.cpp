@@ -20,13 +20,8 @@ Bytes copy(std::span<const unsigned char> bytes)
 ChunkRow chunk_row(const Statement& rows)
 {
     ChunkRow row;
-    row.seq = rows.integer(0);
-    row.kind = rows.text(1);
-    row.count = rows.integer(2);
-    row.first = {rows.integer(3), rows.real(4)};
-    row.last = {rows.integer(5), rows.real(6)};
-    row.lowest_body = rows.integer(7);
-    row.highest_body = rows.integer(8);
+    int column = 0;
+    each_chunk_value(row, [&](auto& value) { rows.get(column++, value); });
     return row;
 }
 
@@ -34,12 +29,10 @@ void write_chunks(Database& database, const RecordingParts& parts, std::uint32_t
 {
     for (const auto& [row, data] : parts.chunks) {
         checksum = chunk_checksum(row, data, checksum);
-        Statement insert(database, "INSERT INTO chunks VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-        insert.bind(0, row.seq).bind(1, row.kind).bind(2, row.count);
-        insert.bind(3, row.first.epoch).bind(4, row.first.offset);
-        insert.bind(5, row.last.epoch).bind(6, row.last.offset);
-        insert.bind(7, row.lowest_body).bind(8, row.highest_body).bind(9, static_cast<std::int64_t>(checksum));
-        insert.bind(10, data).step();
+        Statement insert(database, insert_into(chunks_table).c_str());
+        int parameter = 0;
+        each_chunk_value(row, [&](const auto& value) { insert.bind(parameter++, value); });
+        insert.bind(parameter, static_cast<std::int64_t>(checksum)).bind(parameter + 1, data).step();
     }
 }
 
@@ -61,9 +54,7 @@ RecordingParts read_parts(const std::filesystem::path& file)
         parts.frame = {rows.real(0), rows.real(1), copy(rows.blob(2)), copy(rows.blob(3)), rows.real(4), rows.real(5)};
     for (Statement rows(database, "SELECT kind, count, data FROM bodies ORDER BY rowid"); rows.step();)
         parts.bodies.push_back({rows.text(0), rows.integer(1), copy(rows.blob(2))});
-    Statement rows(database,
-                   "SELECT seq, kind, count, first_epoch, first_offset, last_epoch, last_offset, lowest_body, "
-                   "highest_body, checksum, data FROM chunks ORDER BY seq");
+    Statement rows(database, select_all(chunks_table, "seq").c_str());
     while (rows.step()) parts.chunks.push_back({chunk_row(rows), copy(rows.blob(10))});
     return parts;
 }
@@ -75,7 +66,7 @@ void write_parts(const std::filesystem::path& file, RecordingParts parts)
     database.execute(("PRAGMA application_id = " + std::to_string(recording_application_id) +
                       "; PRAGMA user_version = " + std::to_string(recording_version))
                          .c_str());
-    for (const std::string& table : recording_tables()) database.execute(table.c_str());
+    for (const RecordingTable& table : recording_tables) database.execute(create_table(table).c_str());
     std::uint32_t checksum = head_checksum(parts.meta, parts.scene, parts.frame, parts.bodies);
     if (parts.meta.contains("head_checksum")) parts.meta["head_checksum"] = std::to_string(checksum);
     Statement(database, "INSERT INTO scene VALUES (?)").bind(0, parts.scene).step();

@@ -37,8 +37,10 @@ function expect(file, who, expected, found, why) {
 }
 
 let files = 0;
+let empty = false;
 for (const [folder, expected, catalogue] of [[join(here, 'accepted'), true], [join(here, 'refused'), false], [scenes, true, true]]) {
   const list = json_files(folder);
+  empty ||= list.length === 0;
   const loaded = loader_accepts(list);
   for (const file of list) {
     const fitting = fits(JSON.parse(readFileSync(file, 'utf8')));
@@ -48,4 +50,4 @@ for (const [folder, expected, catalogue] of [[join(here, 'accepted'), true], [jo
   }
 }
 console.log(`${files} files and the catalogue, ${wrong} disagreements`);
-process.exit(wrong === 0 && files === 66 ? 0 : 1);
+process.exit(wrong === 0 && !empty ? 0 : 1);

@@ -271,7 +271,7 @@ TEST_CASE("compare writes its files, a table with a verdict, and a page that rep
     std::istringstream csv(folder.read("a/compare.csv"));
     std::string line;
     std::getline(csv, line);
-    CHECK(line == carom::io::compare_csv_header);
+    CHECK(line == carom::io::compare_csv_header());
     CHECK(json::parse(folder.read("a/compare.json"))["rows"].size() == 2);
     CHECK_THAT(folder.read("a/report.html"), Contains("<html") && Contains("carom-page/1"));
 

@@ -207,7 +207,7 @@ TEST_CASE("compare.json has the CSV's keys in each row, the reference and the ve
     CHECK(has_all(parsed["reference"], {"kind", "bound", "until", "reason"}));
     CHECK(parsed["format"] == "carom-compare/1");
     CHECK(parsed["verdict"] == "One. Two.");
-    std::istringstream header(io::compare_csv_header);
+    std::istringstream header(io::compare_csv_header());
     for (std::string key; std::getline(header, key, ',');) {
         CAPTURE(key);
         CHECK(parsed["rows"][0].contains(key));

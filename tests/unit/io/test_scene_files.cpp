@@ -5,6 +5,7 @@
 
 #include "io/json.hpp"
 #include "problems_of.hpp"
+#include "scene/check_keys.hpp"
 
 using namespace carom;
 using namespace carom::test;
@@ -123,7 +124,7 @@ TEST_CASE("the counting scenes expect the digits of pi", "[io]")
         CHECK(scene.spheres[1].mass / scene.spheres[0].mass == ratio);
         bool counted = false;
         for (const auto& check : scene.checks)
-            counted = counted || (check.type == "event_count" && check.count == impacts[k]);
+            counted = counted || (check.type == CheckType::event_count && check.count == impacts[k]);
         CHECK(counted);
     }
 }
@@ -150,7 +151,8 @@ TEST_CASE("the schema and the reader know the same keys", "[io]")
         {"contact", "\"contacts\": [{\"%\": null}]"},
         {"rest", "\"rest\": {\"%\": null}"},
         {"impact", "\"impact\": {\"operator\": \"lcp\", \"%\": null}"},
-        {"guard", "\"guard\": {\"%\": null}"}};
+        {"guard", "\"guard\": {\"%\": null}"},
+        {"stress", "\"stress\": {\"%\": null}"}};
     for (const auto& [name, pattern] : objects) {
         for (const auto& key : schema.find("$defs")->find(name)->find("properties")->keys) {
             INFO(name << " " << key);
@@ -160,4 +162,9 @@ TEST_CASE("the schema and the reader know the same keys", "[io]")
         }
     }
     CHECK_FALSE(known_to_reader("\"nonsense\": null", "nonsense"));
+    const io::Json* check = schema.find("$defs")->find("check")->find("properties");
+    for (const std::string_view key : check_key_names) {
+        INFO(key);
+        CHECK(check->find(key) != nullptr);
+    }
 }

@@ -37,7 +37,7 @@ TEST_CASE("the example of the contract is read with the right values", "[io]")
     CHECK(s.planes[0].normal == Vec3(0, 0, 1));
     CHECK_FALSE(s.planes[0].thickness.has_value());
     REQUIRE(s.checks.size() == 2);
-    CHECK(s.checks[0].type == "no_overlap");
+    CHECK(s.checks[0].type == CheckType::no_overlap);
     CHECK(s.checks[1].time == 0.451523640985731);
     CHECK(s.checks[1].abs == 1e-13);
     CHECK_FALSE(s.checks[1].rel.has_value());
@@ -130,12 +130,47 @@ TEST_CASE("every kind of check is read", "[io]")
     CHECK(s.checks[1].rel == 1e-12);
     CHECK(s.checks[4].index == 3);
     CHECK(s.checks[5].count == 7);
-    CHECK(s.checks[5].kind == "impact");
-    CHECK(s.checks[6].kind == "rest");
+    CHECK(s.checks[5].kind == EventKind::impact);
+    CHECK(s.checks[6].kind == EventKind::rest);
     CHECK(s.checks[7].body == 2);
     CHECK(s.checks[8].body == 0);
     CHECK(s.checks[8].value == Vec3(1, 2, 3));
     CHECK(s.checks[9].body == 1);
+}
+
+TEST_CASE("checks of two bodies, of places and of second runs are read", "[io]")
+{
+    const Scene s = parse_scene(scene_with(R"("spheres": [{"id": "ball", "radius": 1, "position": [0, 0, 2]}],
+        "planes": [{"id": "floor", "normal": [0, 0, 1], "offset": 0}],
+        "checks": [{"type": "event_time", "event": 1, "between": ["floor", "ball"], "time": 0.5},
+        {"type": "position", "body": "ball", "time": 0.25, "value": [1, 2, 3]}, {"type": "moved", "value": [4, 5, 6]},
+        {"type": "later", "time": 7}, {"type": "reversed", "abs": 1}])"),
+                                "s.json");
+    REQUIRE(s.checks.size() == 5);
+    REQUIRE(s.checks[0].between);
+    CHECK(*s.checks[0].between == std::array<BodyId, 2>{1, 0});
+    CHECK(s.checks[1].time == 0.25);
+    CHECK(s.checks[1].value == Vec3(1, 2, 3));
+    CHECK(s.checks[2].value == Vec3(4, 5, 6));
+    CHECK(s.checks[3].time == 7);
+    CHECK(s.checks[4].type == CheckType::reversed);
+}
+
+TEST_CASE("a scene's part in a stress case is read", "[io]")
+{
+    const Scene s = parse_scene(scene_with(R"("stress": {"case": "any", "dt": 0.1, "exact": 1e-12, "title": "Any",
+        "figure": "what", "step": "how", "causes": {"late": "why"}})"),
+                                "s.json");
+    REQUIRE(s.stress);
+    CHECK(s.stress->case_name == "any");
+    CHECK(s.stress->dt == 0.1);
+    CHECK(s.stress->exact == 1e-12);
+    CHECK(s.stress->limit == 0.01);
+    CHECK(s.stress->title == "Any");
+    CHECK(s.stress->figure == "what");
+    CHECK(s.stress->step == "how");
+    CHECK(s.stress->causes == std::map<Symptom, std::string>{{Symptom::late, "why"}});
+    CHECK_FALSE(parse_scene(scene_with(""), "s.json").stress);
 }
 
 TEST_CASE("rest options and command defaults are kept", "[io]")

@@ -152,5 +152,7 @@ TEST_CASE("the schema lists the words of the public headers", "[io]")
     CHECK(schema_words({"$defs", "impact", "properties", "solver"}) == listed(lcp_solver_names));
     CHECK(schema_words({"$defs", "guard", "properties", "fallback"}) == listed(guard_fallback_names));
     CHECK(schema_words({"$defs", "rest", "properties", "policy"}) == listed(rest_policy_names));
+    CHECK(schema_words({"$defs", "check", "properties", "type"}) == listed(check_type_names));
+    CHECK(schema_words({"$defs", "check", "properties", "kind"}) == listed(event_kind_names));
     CHECK(schema_words({"$defs", "method"}) == method_names());
 }

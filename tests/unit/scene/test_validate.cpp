@@ -108,32 +108,50 @@ TEST_CASE("each rule on values is checked", "[scene]")
     CHECK_THAT(broken_by([](Scene& s) { s.rest.series_below = -1; }), StartsWith("/rest/series_below: "));
     CHECK_THAT(broken_by([](Scene& s) {
                    Check c;
-                   c.type = "magic";
+                   c.type = static_cast<CheckType>(check_type_names.size());
                    s.checks.push_back(c);
                }),
                StartsWith("/checks/0/type: "));
     CHECK_THAT(broken_by([](Scene& s) {
                    Check c;
-                   c.type = "rest_time";
+                   c.type = CheckType::rest_time;
                    c.body = 1;
                    s.checks.push_back(c);
                }),
                StartsWith("/checks/0/body: "));
     CHECK_THAT(broken_by([](Scene& s) {
                    Check c;
-                   c.type = "energy";
+                   c.type = CheckType::energy;
                    c.rel = -1;
                    s.checks.push_back(c);
                }),
                StartsWith("/checks/0/rel: "));
     CHECK_THAT(broken_by([](Scene& s) {
                    Check c;
-                   c.type = "energy";
+                   c.type = CheckType::energy;
                    c.rel = 1;
                    c.abs = 1;
                    s.checks.push_back(c);
                }),
                StartsWith("/checks/0: has both abs and rel"));
+    CHECK_THAT(broken_by([](Scene& s) {
+                   Check c;
+                   c.type = CheckType::event_time;
+                   c.between = {0, 7};
+                   s.checks.push_back(c);
+               }),
+               StartsWith("/checks/0/between: "));
+    const auto with_stress = [](auto&& change) {
+        return [change](Scene& s) {
+            s.stress.emplace().case_name = "any";
+            s.stress->dt = 1;
+            change(*s.stress);
+        };
+    };
+    CHECK_THAT(broken_by(with_stress([](StressPart& part) { part.case_name.clear(); })), StartsWith("/stress/case: "));
+    CHECK_THAT(broken_by(with_stress([](StressPart& part) { part.dt = 0; })), StartsWith("/stress/dt: "));
+    CHECK_THAT(broken_by(with_stress([](StressPart& part) { part.exact = -1; })), StartsWith("/stress/exact: "));
+    CHECK_THAT(broken_by(with_stress([](StressPart& part) { part.limit = -1; })), StartsWith("/stress/limit: "));
     CHECK_THAT(broken_by([](Scene& s) { s.planes[0].id = "ball"; }),
                StartsWith("/planes/0: id \"ball\" is already that of /spheres/0"));
 }

@@ -1,9 +1,10 @@
-#include "study/stress/case.hpp"
-#include "study/stress/scenes.hpp"
-#include "study/stress/shuttle.hpp"
-#include "study/stress/two_spheres.hpp"
+#include "study/stress.hpp"
+
+#include "core/names.hpp"
+#include "stress_closed_forms.hpp"
 
 #include <carom/error.hpp>
+#include <carom/io.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -14,34 +15,75 @@
 
 using namespace carom;
 using namespace carom::stress;
+using namespace carom::test;
 using Catch::Matchers::Contains;
 
 namespace {
 
+const std::filesystem::path stress_dir = std::filesystem::path(CAROM_SCENE_DIR) / "stress";
+
+std::vector<Case> all_cases()
+{
+    std::vector<Scene> scenes;
+    for (const std::filesystem::path& file : scene_files(stress_dir)) scenes.push_back(read_scene(file));
+    return cases_of(scenes);
+}
+
 Report run_one(const std::string& name, const std::vector<std::string>& methods)
 {
-    Options options;
-    options.methods = methods;
-    options.only = name;
-    return run_cases(options);
+    std::vector<Case> cases = all_cases();
+    std::erase_if(cases, [&](const Case& each) { return each.words.case_name != name; });
+    return run_cases(std::move(cases), methods);
+}
+
+const Check* check_of(const Scene& scene, CheckType type, BodyId body = no_body)
+{
+    for (const Check& check : scene.checks)
+        if (check.type == type && check.body == body) return &check;
+    return nullptr;
+}
+
+/// What a scene expects of a sphere is, as far as it expects anything, this state.
+void compare(const Scene& scene, BodyId body, const ExpectedState& state)
+{
+    constexpr double rounding = 4e-16;  // of a figure that is written down, and of one more operation
+    INFO(scene.name << ", " << scene.body_name(body));
+    if (const Check* check = check_of(scene, CheckType::final_position, body))
+        CHECK((check->value - state.position).stableNorm() <= rounding * state.position.stableNorm());
+    if (const Check* check = check_of(scene, CheckType::final_velocity, body))
+        CHECK((check->value - state.velocity).stableNorm() <= rounding * state.velocity.stableNorm());
+}
+
+Scene stress_scene(const std::string& name)
+{
+    return read_scene(stress_dir / (name + ".json"));
 }
 
 }  // namespace
 
-TEST_CASE("stress: there are twelve cases, and event passes each of them", "[stress]")
+TEST_CASE("stress: there are twelve cases, each in words and with a rule, and event passes each of them", "[stress]")
 {
-    const std::vector<std::string> names = case_names();
-    CHECK(names == std::vector<std::string>{"mass_ratio", "radius_ratio", "speed", "gravity", "far_origin",
-                                            "start_time", "ulp_gap", "grazing", "counting_pi", "zeno", "time_reversal",
-                                            "drift"});
-    for (const std::string& each : names) {
-        const Report report = run_one(each, {"event"});
-        REQUIRE(report.cases.size() == 1);
-        const Result& result = report.cases[0].results.at(0);
-        INFO(each << ": " << result.figure << " " << result.reason);
-        CHECK(result.passed);
-        CHECK(result.figure <= result.limit);
-        CHECK(report.event_passes());
+    const std::vector<Case> cases = all_cases();
+    std::vector<std::string> names;
+    for (const Case& each : cases) {
+        INFO(each.words.case_name);
+        names.push_back(each.words.case_name);
+        CHECK_FALSE(each.words.title.empty());
+        CHECK_FALSE(each.words.figure.empty());
+        CHECK_FALSE(each.words.step.empty());
+        CHECK_FALSE(each.words.causes.empty());
+        for (const Scene& scene : each.scenes) CHECK_FALSE(scene.checks.empty());
+    }
+    CHECK(names == std::vector<std::string>{"counting_pi", "drift", "far_origin", "gravity", "grazing", "mass_ratio",
+                                            "radius_ratio", "speed", "start_time", "time_reversal", "ulp_gap", "zeno"});
+    const Report report = run_cases(cases, {"event"});
+    REQUIRE(report.cases.size() == 12);
+    CHECK(report.event_passes());
+    for (const Case& each : report.cases) {
+        const Result& result = each.results.at(0);
+        INFO(each.words.case_name << ": " << result.evidence.figure << " " << result.reason);
+        CHECK(result.passed());
+        CHECK(result.evidence.figure <= result.limit);
     }
 }
 
@@ -59,9 +101,9 @@ TEST_CASE("stress: each case can be failed, and says why", "[stress]")
     for (const auto& [name, control] : controls) {
         const Report report = run_one(name, {control.first});
         const Result& result = report.cases.at(0).results.at(0);
-        INFO(name << " " << control.first << ": " << result.figure << " " << result.reason);
-        CHECK_FALSE(result.passed);
-        CHECK(stress::name(result.symptom) == std::string(stress::name(control.second)));
+        INFO(name << " " << control.first << ": " << result.evidence.figure << " " << result.reason);
+        CHECK_FALSE(result.passed());
+        CHECK(name_of(result.symptom, symptom_names) == name_of(control.second, symptom_names));
         CHECK_THAT(result.reason, Contains(": "));  // numbers, then the cause
         CHECK(report.event_passes());               // it was not asked for
     }
@@ -84,11 +126,11 @@ TEST_CASE("stress: the evidence is read in the order of causes", "[stress]")
     CHECK(diagnose(bad, 1) == Symptom::energy);
     bad.penetration = 0.5;
     CHECK(diagnose(bad, 1) == Symptom::sank);
-    bad.same_run = false;
+    bad.other_events = true;
     CHECK(diagnose(bad, 1) == Symptom::other_run);
     bad.stopped = "why";
     CHECK(diagnose(bad, 1) == Symptom::stopped);
-    good.same_run = false;  // another hash fails, however small the differences
+    good.other_events = true;  // another hash fails, however small the differences
     CHECK(diagnose(good, 0.01) == Symptom::other_run);
 }
 
@@ -96,31 +138,54 @@ TEST_CASE("stress: event failing a case fails the report, another method does no
 {
     Report report;
     report.methods = {"event", "pbd"};
-    CaseResult c;
-    c.results = {Result{.method = "event", .passed = true}, Result{.method = "pbd"}};
+    Case c;
+    c.results.resize(2);
+    c.results[0].method = "event";
+    c.results[1].method = "pbd";
+    c.results[1].symptom = Symptom::late;
     report.cases = {c};
     CHECK(report.event_passes());
-    report.cases[0].results[0].passed = false;
+    report.cases[0].results[0].symptom = Symptom::late;
     CHECK_FALSE(report.event_passes());
 }
 
-TEST_CASE("stress: unknown names are refused, and an interruption ends it", "[stress]")
+TEST_CASE("stress: scenes of one case add up, and must not disagree about its limits", "[stress]")
 {
-    CHECK_THROWS_WITH(run_one("grasing", {}), Contains("grasing") && Contains("grazing"));
+    Scene one, other;
+    one.description = "One.";
+    one.stress.emplace().case_name = "both";
+    one.stress->title = "Both";
+    one.stress->causes[Symptom::late] = "late";
+    other.description = "Other.";
+    other.stress.emplace().case_name = "both";
+    other.stress->causes[Symptom::sank] = "sank";
+    const std::vector<Case> cases = cases_of({other, one});
+    REQUIRE(cases.size() == 1);
+    CHECK(cases[0].scenes.size() == 2);
+    CHECK(cases[0].about == "Other. One.");
+    CHECK(cases[0].words.title == "Both");
+    CHECK(cases[0].words.causes.size() == 2);
+    other.stress->limit = 0.02;
+    CHECK_THROWS_WITH(cases_of({one, other}), Contains("both") && Contains("different limits"));
+}
+
+TEST_CASE("stress: an unknown method is refused, and an interruption ends it", "[stress]")
+{
     CHECK_THROWS_AS(run_one("grazing", {"magic"}), InputError);
-    Options options;
-    options.methods = {"event"};
-    options.on_progress = [&](const Progress& now) { return now.amount < 1; };
-    const Report report = run_cases(options);
+    const auto first_case = [](const Progress& now) { return now.what.starts_with("counting_pi"); };
+    const Report report = run_cases(all_cases(), {"event"}, first_case);
     CHECK(report.interrupted);
     CHECK(report.cases.size() == 1);
+    int asked = 0;
+    const auto twice = [&](const Progress&) { return ++asked <= 2; };
+    CHECK(run_cases(all_cases(), {"pbd"}, twice).cases.empty());  // in the middle of a run
 }
 
 TEST_CASE("stress: the shuttle counts the digits of pi", "[stress]")
 {
     // Galperin 2003: with masses 100^k : 1 there are floor(10^k pi) impacts.
     const std::int64_t digits[] = {3, 31, 314, 3141, 31415};
-    long double mass = 1;
+    Real mass = 1;
     for (const std::int64_t expected : digits) {
         Shuttle start;
         start.light = 1;
@@ -136,10 +201,14 @@ TEST_CASE("stress: the shuttle counts the digits of pi", "[stress]")
 
 TEST_CASE("stress: the closed form of two spheres", "[stress]")
 {
-    Scene scene = empty_scene("Two", 2);
+    Scene scene;
+    scene.end_time = 2;
     // The contact normal makes 30 degrees with the path: sin = 1/2 of the contact distance.
-    add_sphere(scene, {.radius = 0.25, .mass = 3, .position = {-1, 0.25, 0}, .velocity = {1, 0, 0}});
-    add_sphere(scene, {.radius = 0.25, .mass = 1});
+    scene.spheres.resize(2);
+    scene.spheres[0].radius = scene.spheres[1].radius = 0.25;
+    scene.spheres[0].mass = 3;
+    scene.spheres[0].position = Vec3(-1, 0.25, 0);
+    scene.spheres[0].velocity = Vec3(1, 0, 0);
     const Meeting m = meeting(scene, 0, 1);
     CHECK(m.time == Approx(1 - 0.5 * std::sqrt(0.75)).epsilon(1e-15));
     // The struck sphere leaves along the normal at 2 m_a/(m_a + m_b) cos 30 degrees.
@@ -148,4 +217,52 @@ TEST_CASE("stress: the closed form of two spheres", "[stress]")
     CHECK(m.b.velocity.y() == Approx(-leaving * 0.5).epsilon(1e-15));
     CHECK((3 * m.a.velocity + m.b.velocity - Vec3(3, 0, 0)).norm() < 1e-15);
     CHECK((m.b.position - (2 - m.time) * m.b.velocity).norm() < 1e-15);
+}
+
+TEST_CASE("stress: what the scenes expect is their closed form", "[stress]")
+{
+    for (const char* name : {"mass_ratio_heavy", "mass_ratio_light", "radius_ratio_off_centre", "radius_ratio_rim",
+                             "ulp_gap_approaching", "ulp_gap_overtaking", "grazing_touch"}) {
+        const Scene scene = stress_scene(name);
+        const Meeting expected = meeting(scene, 0, 1);
+        compare(scene, 0, expected.a);
+        compare(scene, 1, expected.b);
+        CHECK(check_of(scene, CheckType::event_count)->count == 1);
+    }
+    for (const char* name : {"mass_ratio_squeezed", "pi_by_impacts"}) {
+        const Scene scene = stress_scene(name);
+        const ShuttleEnd expected = shuttle_end(scene);
+        compare(scene, 0, expected.states[0]);
+        compare(scene, 1, expected.states[1]);
+        CHECK(check_of(scene, CheckType::event_count)->count == expected.impacts);
+    }
+    const Scene speeds = stress_scene("speeds");
+    const Meeting fast = meeting(speeds, 0, 1), slow = meeting(speeds, 2, 3);
+    for (const auto& [body, state] : {std::pair{0, fast.a}, {1, fast.b}, {2, slow.a}, {3, slow.b}})
+        compare(speeds, body, state);
+    CHECK(check_of(speeds, CheckType::event_time)->time == slow.time);
+    for (const char* name : {"ulp_gap_parting", "ulp_gap_abreast", "grazing_pass"}) {
+        const Scene scene = stress_scene(name);
+        for (BodyId body = 0; body < 2; ++body) {
+            const Sphere& sphere = scene.spheres[static_cast<std::size_t>(body)];
+            compare(scene, body, {sphere.position + scene.end_time * sphere.velocity, sphere.velocity});
+        }
+        CHECK(check_of(scene, CheckType::event_count)->count == 0);
+    }
+    for (const char* name : {"zeno_short", "zeno_long"}) {
+        const Scene scene = stress_scene(name);
+        const Real e = scene.materials[1].restitution, gravity = -Real(scene.gravity.z());
+        const Real fall = std::sqrt(2 * (Real(scene.spheres[0].position.z()) - scene.spheres[0].radius) / gravity);
+        CHECK(check_of(scene, CheckType::rest_time, 0)->time ==
+              Approx(static_cast<double>(fall * (1 + e) / (1 - e))).epsilon(1e-15));
+        Bouncing exact(static_cast<double>(gravity), static_cast<double>(fall), static_cast<double>(e));
+        int heights = 0;
+        for (const Check& check : scene.checks) {
+            if (check.type != CheckType::position) continue;
+            ++heights;
+            INFO(scene.name << " at " << check.time);
+            CHECK(std::abs(check.value.z() - scene.spheres[0].radius - exact.height(check.time)) < 1e-15);
+        }
+        CHECK(heights == 50);
+    }
 }
