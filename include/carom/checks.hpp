@@ -74,7 +74,7 @@ struct CheckReport {
 /// | reversed | largest distance from the start, in smallest radii | 1 |
 ///
 /// The difference of two runs: the largest of velocities, in largest speeds at the start, and of positions, in smallest
-/// radii. Of event-driven runs positions do not count, for they round where they are written as doubles, but events do:
+/// radii. Positions of event-driven runs do not count, for they round where they are written as doubles, but events do:
 /// it is infinite where the second run has another event_hash.
 std::vector<CheckResult> evaluate_checks(const Scene& scene, const CheckedRun& run);
 
