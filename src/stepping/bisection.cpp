@@ -6,6 +6,7 @@
 /// Each sphere carries its own moment: position at `since`, straight from there to its `target` at the end of the
 /// substep. A response changes two of them; only their contacts are looked for again. (The bookkeeping is this
 /// project's own.)
+#include "scene/sphere_grid.hpp"
 #include "stepping/bracket.hpp"
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
@@ -25,7 +26,7 @@ using namespace stepping;
 
 class BisectionStepper {
 public:
-    explicit BisectionStepper(std::size_t spheres) : paths_(spheres) {}
+    explicit BisectionStepper(const std::vector<double>& radius) : paths_(radius.size()), moved_(radius) {}
 
     void advance(System& system, const Substep& substep)
     {
@@ -64,6 +65,8 @@ private:
         paths_.begin(bodies, substep.length);
         settling_ = false;
         queue_.clear();
+        moves_.clear();
+        moved_.clear();
         seen_.clear();
         contacts_.clear();
         system.detector.find_pairs(paths_.target, bodies.radius, contacts_);
@@ -154,11 +157,18 @@ private:
         paths_.stop_at(system.bodies, next.a, next.time);
         if (pair) paths_.stop_at(system.bodies, next.b, next.time);
         system.impacts.add(contact, respond(system.bodies, system.laws, contact), substep.begin + next.time);
-        paths_.go_on(system.bodies, next.a);
-        if (pair) paths_.go_on(system.bodies, next.b);
+        go_on(system, next.a);
+        if (pair) go_on(system, next.b);
         look_again(system, next.a, pair ? next.b : no_body, next.time);
         if (pair) look_again(system, next.b, no_body, next.time);
         return true;
+    }
+
+    void go_on(const System& system, BodyId i)
+    {
+        paths_.go_on(system.bodies, i);
+        moved_.insert(moves_.size(), paths_.target[index(i)], system.bodies.radius[index(i)]);
+        moves_.push_back({i, paths_.changes(i)});
     }
 
     /// Contacts of sphere i at its new target, except that with `later_partner`, which finds it when its own turn
@@ -176,10 +186,14 @@ private:
             const Vec3 d = target - paths_.target[index(j)];
             if (overlap(d.x(), d.y(), d.z(), radius + bodies.radius[index(j)])) partners_.push_back(j);
         };
-        system.detector.for_each_near(target, [&](BodyId j) {
+        system.detector.for_each_near(target, radius, [&](BodyId j) {
             if (!paths_.is_changed(j)) test(j);
         });
-        for (const BodyId j : paths_.changed()) test(j);
+        moved_.visit_near(target, radius, [&](std::size_t m) {
+            const Move& move = moves_[m];
+            if (move.change == paths_.changes(move.body)) test(move.body);
+            return true;
+        });
         std::sort(partners_.begin(), partners_.end());  // the order of finding must not matter
         for (const BodyId j : partners_) {
             const BodyId a = std::min(i, j), b = std::max(i, j);
@@ -206,8 +220,16 @@ private:
         return 0;
     }
 
+    /// A sphere that got a new target in this substep. Only its last one counts.
+    struct Move {
+        BodyId body;
+        std::uint64_t change;  ///< StraightPaths::changes() with it
+    };
+
     bool settling_ = false;  ///< too many responses in this substep
     StraightPaths paths_;
+    std::vector<Move> moves_;
+    SphereGrid moved_;  ///< at their targets, by index of `moves_`; where they do not move they are with the detector
     std::vector<BodyId> partners_;
     std::vector<Pending> queue_;
     std::vector<Contact> contacts_;
@@ -219,7 +241,7 @@ private:
 Outcome run_stepping(const Scene& scene, const Bisection& method, const RunOptions& options, const Observer& observer)
 {
     System system(scene, method, observer, false);
-    BisectionStepper stepper(scene.spheres.size());
+    BisectionStepper stepper(system.bodies.radius);
     return drive(scene, method, options, observer, system, stepper);
 }
 
