@@ -16,9 +16,13 @@ namespace carom {
 /// Equal intervals at which studies look at a run (CONTRACT: 200).
 inline constexpr std::size_t study_intervals = 200;
 
+/// Equal intervals at which `run_study` looks at an event-driven run of so many spheres: `study_intervals` up to 125
+/// spheres; for more of them fewer, though not less than 2, so that looking costs no more than an ordinary run itself.
+std::size_t look_intervals(std::size_t spheres);
+
 struct RunStudyOptions {
     RunOptions run;
-    std::size_t intervals = study_intervals;             ///< >= 1
+    std::optional<std::size_t> intervals;                ///< >= 1; none: `look_intervals`; discrete: 200
     std::function<void(const Event&)> on_event;          ///< may be empty; its time counts as the run's
     std::function<void(const RunFrame&)> on_frame;       ///< as Observer's; so is
     std::function<void(const FlightRecord&)> on_flight;  ///< this one
