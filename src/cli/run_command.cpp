@@ -126,9 +126,12 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
     if (events) events->close();
     if (recording) recording->finish(run.outcome);
 
-    const std::string json = io::run_json(scene, settings.method, run, {.always_final = settings.always_final});
-    if (!args.out.empty()) write_file(std::filesystem::path(args.out) / "run.json", json);
-    console.out << (global.json ? json : run_table(scene, run));
+    if (global.json || !args.out.empty()) {
+        const std::string json = io::run_json(scene, settings.method, run, {.always_final = settings.always_final});
+        if (!args.out.empty()) write_file(std::filesystem::path(args.out) / "run.json", json);
+        if (global.json) console.out << json;
+    }
+    if (!global.json) console.out << run_table(scene, run);
     const Outcome& outcome = run.outcome;
     if (outcome.status != Status::reached_end && !global.quiet)
         print_error(console, outcome.message.empty()
