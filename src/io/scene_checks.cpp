@@ -12,11 +12,7 @@ constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_
 
 class CheckReader {
 public:
-    explicit CheckReader(const SceneDraft& draft) : draft_(draft)
-    {
-        const auto& spheres = draft.scene.spheres;
-        for (std::size_t i = 0; i < spheres.size(); ++i) bodies_.try_emplace(spheres[i].id, static_cast<BodyId>(i));
-    }
+    explicit CheckReader(const SceneDraft& draft) : draft_(draft) {}
 
     std::optional<Check> read(ObjectView& view)
     {
@@ -63,10 +59,14 @@ private:
         view.never({"tolerance", "tol"}, "did you mean \"abs\" or \"rel\"?");
     }
 
-    BodyId body(ObjectView& view) const
+    BodyId body(ObjectView& view)
     {
         const auto id = view.string("body");
         if (!id) return no_body;
+        if (bodies_.empty()) {  // most scenes have no check that names a body
+            const auto& spheres = draft_.scene.spheres;
+            for (std::size_t i = 0; i < spheres.size(); ++i) bodies_.try_emplace(spheres[i].id, static_cast<BodyId>(i));
+        }
         const auto found = bodies_.find(*id);
         if (found != bodies_.end()) return found->second;
         if (!draft_.bodies_complete) return no_body;  // it may be one of those left out
