@@ -77,6 +77,8 @@ private:
                    z = static_cast<std::uint64_t>(cell[2]);
         return (x + y * 0xbf58476d1ce4e5b9ULL + z * 0x94d049bb133111ebULL) & (level.newest.size() - 1);
     }
+    /// (What std::array offers is a call of memcmp.)
+    static bool same(const Cell& a, const Cell& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
     /// Twice as many buckets, and each entry in its new one.
     static void grow(Level& level);
     Level& level_of(double radius);
@@ -86,7 +88,7 @@ private:
     {
         for (Index e = level.newest[bucket(level, cell)]; e != none;) {
             const Entry& entry = level.entries[e];
-            if (entry.cell == cell && !visit(entry.sphere)) return false;
+            if (same(entry.cell, cell) && !visit(entry.sphere)) return false;
             e = entry.older;
         }
         return true;
