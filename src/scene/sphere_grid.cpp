@@ -98,6 +98,23 @@ void SphereGrid::insert(std::size_t sphere, const Vec3& position, double radius)
     newest = static_cast<Index>(level.entries.size() - 1);
 }
 
+void SphereGrid::move(std::size_t sphere, const Vec3& from, const Vec3& to, double radius)
+{
+    Level& level = level_of(radius);
+    const Cell old_cell = cell_of(level, from), cell = cell_of(level, to);
+    if (same(old_cell, cell)) return;
+    Index* link = &level.newest[bucket(level, old_cell)];
+    while (level.entries[*link].sphere != sphere) {
+        link = &level.entries[*link].older;
+        CAROM_EXPECT(*link != none);
+    }
+    const Index e = *link;
+    *link = level.entries[e].older;
+    Index& newest = level.newest[bucket(level, cell)];
+    level.entries[e] = {sphere, cell, newest};
+    newest = e;
+}
+
 void SphereGrid::grow(Level& level)
 {
     level.newest.assign(2 * level.newest.size(), none);

@@ -24,6 +24,9 @@ public:
     /// \pre radius > 0, not larger than that of any sphere of its size class before it.
     void insert(std::size_t sphere, const Vec3& position, double radius);
 
+    /// A sphere that was inserted at `from`, or moved there, is at `to` now. \pre its radius is the one it came with
+    void move(std::size_t sphere, const Vec3& from, const Vec3& to, double radius);
+
     /// Forgets the spheres, in time proportional to their number.
     void clear();
 

@@ -65,7 +65,6 @@ private:
         paths_.begin(bodies, substep.length);
         settling_ = false;
         queue_.clear();
-        moves_.clear();
         moved_.clear();
         seen_.clear();
         contacts_.clear();
@@ -166,9 +165,14 @@ private:
 
     void go_on(const System& system, BodyId i)
     {
+        const bool moved_before = paths_.is_changed(i);
+        const Vec3 before = paths_.target[index(i)];
         paths_.go_on(system.bodies, i);
-        moved_.insert(moves_.size(), paths_.target[index(i)], system.bodies.radius[index(i)]);
-        moves_.push_back({i, paths_.changes(i)});
+        const Vec3& target = paths_.target[index(i)];
+        if (moved_before)
+            moved_.move(index(i), before, target, system.bodies.radius[index(i)]);
+        else
+            moved_.insert(index(i), target, system.bodies.radius[index(i)]);
     }
 
     /// Contacts of sphere i at its new target, except that with `later_partner`, which finds it when its own turn
@@ -189,9 +193,8 @@ private:
         system.detector.for_each_near(target, radius, [&](BodyId j) {
             if (!paths_.is_changed(j)) test(j);
         });
-        moved_.visit_near(target, radius, [&](std::size_t m) {
-            const Move& move = moves_[m];
-            if (move.change == paths_.changes(move.body)) test(move.body);
+        moved_.visit_near(target, radius, [&](std::size_t j) {
+            test(static_cast<BodyId>(j));
             return true;
         });
         std::sort(partners_.begin(), partners_.end());  // the order of finding must not matter
@@ -220,16 +223,9 @@ private:
         return 0;
     }
 
-    /// A sphere that got a new target in this substep. Only its last one counts.
-    struct Move {
-        BodyId body;
-        std::uint64_t change;  ///< StraightPaths::changes() with it
-    };
-
     bool settling_ = false;  ///< too many responses in this substep
     StraightPaths paths_;
-    std::vector<Move> moves_;
-    SphereGrid moved_;  ///< at their targets, by index of `moves_`; where they do not move they are with the detector
+    SphereGrid moved_;  ///< those with a corner in this substep, at their targets; the detector knows the others
     std::vector<BodyId> partners_;
     std::vector<Pending> queue_;
     std::vector<Contact> contacts_;

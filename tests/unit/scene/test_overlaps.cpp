@@ -133,7 +133,7 @@ TEST_CASE("the grid finds the same overlaps as a look at all pairs, for any mix 
     CHECK(overlaps > 200);
 }
 
-TEST_CASE("a grid that knows its radii takes spheres in any order, and forgets them", "[scene]")
+TEST_CASE("a grid that knows its radii takes spheres in any order, moves and forgets them", "[scene]")
 {
     Random random(5);
     std::vector<double> radii;
@@ -155,6 +155,11 @@ TEST_CASE("a grid that knows its radii takes spheres in any order, and forgets t
             });
             grid.insert(i, place, radii[i]);
             places.push_back(place);
+            if (i % 3 > 0) continue;
+            Vec3& moved = places[i / 2];  // some of them again and again, some by less than a cell
+            const Vec3 to = moved + (i % 2 == 0 ? 0.01 : 1.0) * Vec3(0.5 - random.uniform(), 1, 0);
+            grid.move(i / 2, moved, to, radii[i / 2]);
+            moved = to;
         }
         CHECK(found == expected);
         CHECK(expected > 100);
