@@ -8,6 +8,8 @@ namespace carom {
 
 class AllPairs {
 public:
+    static constexpr bool has_cells = false;
+
     explicit AllPairs(BodyId count) : count_(count) {}
 
     template <class Visit>

@@ -16,6 +16,8 @@ using Cell = std::array<std::int64_t, 3>;
 
 class CellGrid {
 public:
+    static constexpr bool has_cells = true;  ///< bodies cross walls
+
     /// \param reach largest distance of two centres at which they must know each other [length]
     CellGrid(const Frame& frame, const std::vector<Place>& places, double reach);
 

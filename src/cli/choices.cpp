@@ -1,6 +1,7 @@
 #include "cli/choices.hpp"
 
 #include "cli/exit_codes.hpp"
+#include "cli/limits.hpp"
 #include "cli/lists.hpp"
 #include "io/problems.hpp"
 
@@ -35,8 +36,7 @@ double positive(double value, const std::string& text)
 
 long long at_least_one(const std::string& text)
 {
-    constexpr long long most = 1'000'000'000'000'000;  // a double holds it exactly
-    return parse_integer(text, 1, most);
+    return parse_integer(text, 1, largest_count);
 }
 
 std::string known_method(const std::string& word)
@@ -202,7 +202,6 @@ CompareOptions compare_settings(const CompareArguments& args, const GlobalArgume
     options.step.literal = choices.flag("literal");
     options.step.seed = global.seed.value_or(scene.seed);
     options.until = choices.number("until", scene.end_time);
-    constexpr long long most_repeats = 1'000'000;
     options.repeats = static_cast<int>(std::min(choices.integer("repeats", options.repeats), most_repeats));
     if (choices.has("tolerance")) options.tolerance = choices.number("tolerance", 0);
     return options;

@@ -1,5 +1,7 @@
 #include "cli/lists.hpp"
 
+#include "cli/limits.hpp"
+
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -41,8 +43,7 @@ void append_range(std::string_view text, std::vector<double>& values)
     const std::string_view rule = trimmed(text.substr(second + 1));
     const bool logarithmic = rule.substr(0, 3) == "log";
     if (!logarithmic && rule.substr(0, 3) != "lin") throw wrong();
-    constexpr long long most = 100000;
-    const long long n = parse_integer(rule.substr(3), 2, most);
+    const long long n = parse_integer(rule.substr(3), 2, most_range_values);
     if (logarithmic && !(start > 0 && stop > 0))
         throw error(text, "needs start and stop above 0 for a logarithmic range");
     for (long long k = 0; k < n; ++k) {

@@ -1,5 +1,7 @@
 #include "cli/progress.hpp"
 
+#include "cli/limits.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +10,6 @@
 namespace carom::cli {
 
 namespace {
-constexpr double first_after = 1;  // s: shorter runs need no line
-constexpr double again_after = 0.2;
-
 double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::steady_clock::time_point b)
 {
     return std::chrono::duration<double>(b - a).count();
@@ -30,7 +29,7 @@ void ProgressLine::show(const std::string& what, double fraction, double amount,
     if (!enabled_) return;
     const Clock::time_point now = Clock::now();
     const double seconds = seconds_between(start_, now);
-    if (seconds < first_after || (visible_ && seconds_between(last_, now) < again_after)) return;
+    if (seconds < progress_after || (visible_ && seconds_between(last_, now) < progress_every)) return;
     last_ = now;
     visible_ = true;
     console_.err << "\r\033[K" << progress_text(what, fraction, amount, unit, seconds) << std::flush;

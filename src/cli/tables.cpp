@@ -1,5 +1,7 @@
 #include "cli/tables.hpp"
 
+#include "cli/limits.hpp"
+
 #include "study/words.hpp"
 
 #include <carom/metrics.hpp>
@@ -21,16 +23,15 @@ using Lines = std::vector<std::vector<std::string>>;
 
 void add_rest_times(const Scene& scene, const Outcome& outcome, Lines& lines)
 {
-    constexpr std::size_t most = 10;
     std::size_t listed = 0;
     for (std::size_t i = 0; i < outcome.rest_times.size(); ++i) {
         if (!outcome.rest_times[i]) continue;
-        if (++listed > most) continue;
+        if (++listed > most_listed_bodies) continue;
         const bool slides = i < outcome.final.size() && outcome.final[i].mode == Mode::sliding;
         lines.push_back({slides ? "slides since" : "rest time",
                          scene.spheres[i].id + " " + with_unit(*outcome.rest_times[i], scene.units.time)});
     }
-    if (listed > most) lines.push_back({"", fmt::format("and {} more", listed - most)});
+    if (listed > most_listed_bodies) lines.push_back({"", fmt::format("and {} more", listed - most_listed_bodies)});
 }
 
 /// What is no closed form, and the energy that thresholds took; nothing where there is none of it.
@@ -61,8 +62,7 @@ void add_thresholds(const Outcome& outcome, Lines& lines)
 /// Where and how fast a few spheres ended.
 void add_final(const Scene& scene, const Outcome& outcome, Lines& lines)
 {
-    constexpr std::size_t few = 10;
-    if (outcome.final.size() > few) return;
+    if (outcome.final.size() > most_listed_bodies) return;
     const auto vector = [](const Vec3& v) { return fmt::format("({:.7g}, {:.7g}, {:.7g})", v[0], v[1], v[2]); };
     for (std::size_t i = 0; i < outcome.final.size(); ++i) {
         const BodyState& state = outcome.final[i];
@@ -77,19 +77,18 @@ void add_final(const Scene& scene, const Outcome& outcome, Lines& lines)
 /// Contacts and flights keep energy or take it; what makes some is wrong.
 std::string drift_text(const RunStudy& run)
 {
-    constexpr double rounding = 1e-9;  // of the largest kinetic energy
     const double gain = run.final_energy - run.initial_energy;
     if (!std::isfinite(gain)) return "BLEW UP: no longer a finite number";
-    if (gain > rounding * run.max_kinetic_energy)
+    if (gain > energy_rounding * run.max_kinetic_energy)
         return fmt::format("GREW by {:.4g} (no contact gives energy: this run is wrong)", gain);
     return run.max_relative_drift ? figure(run.max_relative_drift) : "- (contacts take energy)";
 }
 
 std::string escaped_text(const Scene& scene, const RunStudy& run)
 {
-    constexpr std::int64_t few = 10;
     std::string names;
-    for (std::size_t i = 0; i < run.outcome.final.size() && run.escaped <= few; ++i)
+    for (std::size_t i = 0;
+         i < run.outcome.final.size() && run.escaped <= static_cast<std::int64_t>(most_listed_bodies); ++i)
         if (escaped(scene, std::span(&run.outcome.final[i], 1)) > 0)
             names += (names.empty() ? ": " : ", ") + scene.spheres[i].id;
     return fmt::format("{} behind a plane or nowhere{}", run.escaped, names);

@@ -1,6 +1,6 @@
 #include "contact/equalise.hpp"
 
-#include "math/shortest_change.hpp"
+#include "projection/shortest_change.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,15 +23,15 @@ constexpr std::size_t factored_from = 16;
 
 }  // namespace
 
-EqualisingChange equalising_change(const Cluster& cluster, std::span<const double> wanted)
+EqualisingChange equalising_change(const ContactProblem& cluster, std::span<const double> wanted)
 {
     std::vector<double> w;
-    for (const ClusterBody& body : cluster.bodies) w.push_back(body.inverse_mass);
+    for (const ContactBody& body : cluster.bodies) w.push_back(body.inverse_mass);
     std::vector<UnitNormal> normals;
     std::vector<double> scaled;
     double far = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const ClusterContact& c = cluster.contacts[i];
+        const Contact& c = cluster.contacts[i];
         normals.emplace_back(HalfSpace{c.a, c.b, c.normal, 0}, w);
         scaled.push_back(wanted[i] / normals.back().length);
         far = std::max(far, stretch(wanted.size()) * std::abs(wanted[i]));

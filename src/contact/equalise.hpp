@@ -2,7 +2,7 @@
 /// The smallest change of velocities (or places) in the mass metric that gives contacts the rates (or gaps) wanted.
 #pragma once
 
-#include "impact/cluster.hpp"
+#include "contact/contact.hpp"
 
 #include <span>
 
@@ -18,6 +18,6 @@ struct EqualisingChange {
 /// contradict one another (see shortest_change). Redundant contacts do no harm; work is bounded, and so is the change:
 /// no body goes further than 4096 times the largest that is wanted, as it would between contacts that nearly
 /// contradict.
-EqualisingChange equalising_change(const Cluster& cluster, std::span<const double> wanted);
+EqualisingChange equalising_change(const ContactProblem& cluster, std::span<const double> wanted);
 
 }  // namespace carom

@@ -4,6 +4,8 @@
 /// generators, 2014). No distribution of the standard library (they differ between libraries) and no libm but sqrt.
 #pragma once
 
+#include "core/limits.hpp"
+
 #include <array>
 #include <bit>
 #include <carom/types.hpp>
@@ -62,14 +64,12 @@ public:
     /// Isotropic unit vector: a point of the unit ball by rejection from the cube, normalised.
     Vec3 direction()
     {
-        constexpr int most_tries = 200;          // each succeeds with probability 0.52
-        constexpr double smallest_norm2 = 1e-4;  // nearer to the centre rounding would spoil isotropy
-        for (int k = 0; k < most_tries; ++k) {
+        for (int k = 0; k < most_direction_draws; ++k) {
             const double x = uniform(-1, 1);
             const double y = uniform(-1, 1);
             const double z = uniform(-1, 1);
             const double norm2 = x * x + y * y + z * z;
-            if (norm2 > smallest_norm2 && norm2 <= 1) return Vec3(x, y, z) / std::sqrt(norm2);
+            if (norm2 > least_direction_square && norm2 <= 1) return Vec3(x, y, z) / std::sqrt(norm2);
         }
         return Vec3::UnitX();
     }

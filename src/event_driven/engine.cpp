@@ -3,10 +3,10 @@
 /// promises.
 #include "event_driven/engine.hpp"
 
-#include "event_driven/lone_schedule.hpp"
 #include "event_driven/range.hpp"
 #include "event_driven/run.hpp"
-#include "event_driven/schedule.hpp"
+#include "predict/lone_schedule.hpp"
+#include "predict/schedule.hpp"
 
 #include <cmath>
 
@@ -14,11 +14,15 @@ namespace carom {
 
 namespace {
 
-template <class Schedule>
+template <class Kinematics>
 Outcome run_with(const Scene& scene, const Kernel& kernel, const EventDriven& method, const RunOptions& options,
                  const Observer& observer)
 {
-    return Run<Schedule>(scene, kernel, method, options, observer).go();
+    BroadPhase wanted = method.broad_phase;
+    if (wanted == BroadPhase::automatic) wanted = automatic_broad_phase(scene.spheres.size());
+    if (scene.spheres.size() < 2 || wanted == BroadPhase::all_pairs)
+        return Run<Schedule<Kinematics, AllPairs>>(scene, kernel, method, options, observer).go();
+    return Run<Schedule<Kinematics, CellGrid>>(scene, kernel, method, options, observer).go();
 }
 
 Outcome not_begun(const Scene& scene, const Kernel& kernel, const std::string& why)
@@ -43,13 +47,10 @@ Outcome run_event_driven(const Scene& scene, const EventDriven& method, const Ru
     const Kernel& kernel = method.certified ? kernels().back() : choose_kernel(scene, method.kernel);
     const double until = std::isnan(options.until) ? scene.end_time : options.until;
     if (const std::string why = out_of_range(scene, until); !why.empty()) return not_begun(scene, kernel, why);
-    if (method.certified)
-        return run_with<Schedule<Features{.gravity = true, .pairs = true}, true>>(scene, kernel, method, options,
-                                                                                  observer);
-    if (!kernel.features.pairs) return run_with<LoneSchedule>(scene, kernel, method, options, observer);
-    if (!kernel.features.gravity)
-        return run_with<Schedule<Features{.gravity = false, .pairs = true}>>(scene, kernel, method, options, observer);
-    return run_with<Schedule<Features{.gravity = true, .pairs = true}>>(scene, kernel, method, options, observer);
+    if (method.certified) return run_with<CertifiedKinematics>(scene, kernel, method, options, observer);
+    if (!kernel.features.pairs) return Run<LoneSchedule>(scene, kernel, method, options, observer).go();
+    if (!kernel.features.gravity) return run_with<PlainKinematics<false>>(scene, kernel, method, options, observer);
+    return run_with<PlainKinematics<true>>(scene, kernel, method, options, observer);
 }
 
 }  // namespace carom

@@ -3,7 +3,7 @@
 /// nobody sums. (The bound of the design, B n / h of a component of n bodies; windows of h follow one another.)
 #pragma once
 
-#include "event_driven/state.hpp"
+#include "motion/state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace carom {
 class ImpactRate {
 public:
     explicit ImpactRate(const State& state)
-        : recent_(state.flights.size()),
+        : recent_(state.scene.spheres.size()),
           bound_(state.scene.guard.impacts),
           length_(state.scene.guard.window.value_or(state.rest.numeric_step))
     {
@@ -24,7 +24,6 @@ public:
     /// it is time to ask: beyond B, then when it has used up its share of what the last answer left.
     bool add(const State& state, const EpochTime& now, BodyId body)
     {
-        if (!(length_ > 0)) return false;
         Recent& recent = recent_[static_cast<std::size_t>(body)];
         const double window = number(state, now);
         if (window != all_.window) all_ = {window, 0, 0};

@@ -1,6 +1,6 @@
 #include "event_driven/ledger.hpp"
 
-#include "event_driven/motion.hpp"
+#include "motion/relative.hpp"
 
 namespace carom {
 
@@ -8,7 +8,7 @@ Ledger::Ledger(const State& state, const Kernel& kernel, const Observer& observe
 {
     out.kernel = kernel.name;
     out.epoch_length = state.frame.epoch_length;
-    out.rest_times.resize(state.flights.size());
+    out.rest_times.resize(state.scene.spheres.size());
     out.plane_impulses.assign(state.scene.planes.size(), 0);
 }
 
@@ -16,35 +16,36 @@ void Ledger::show_frame(const State& state) const
 {
     if (!observer_.on_frame) return;
     RunFrame frame{state.frame.epoch_length, state.frame.cell_size, {}};
-    for (AccelerationId id = 0; id < state.accelerations.shared(); ++id)
-        frame.accelerations.push_back(state.accelerations[id]);
+    const Accelerations& accelerations = state.bodies.accelerations();
+    for (AccelerationId id = 0; id < accelerations.shared(); ++id) frame.accelerations.push_back(accelerations[id]);
     observer_.on_frame(frame);
 }
 
 FlightRecord Ledger::record_of(const State& state, BodyId body)
 {
     const Flight& f = state.flight(body);
+    const Motion& motion = state.bodies.motion(body);
     FlightRecord record;
     record.body = body;
     record.start = f.start;
     for (std::size_t k = 0; k < 3; ++k) {
         record.cell[k] = f.place.cell[k];
         record.local[k] = f.place.local[k];
-        if (state.certified())
-            record.local_low[k] = state.low[static_cast<std::size_t>(body)][static_cast<Eigen::Index>(k)];
+        record.local_low[k] = f.place.low[k];
         record.velocity[k] = f.velocity[static_cast<Eigen::Index>(k)];
     }
     record.acceleration = f.acceleration;
-    if (state.accelerations.is_own(f.acceleration)) {
+    if (state.bodies.accelerations().is_own(f.acceleration)) {
         record.acceleration = own_acceleration;
-        for (std::size_t k = 0; k < 3; ++k)
-            record.own[k] = state.accelerations[f.acceleration][static_cast<Eigen::Index>(k)];
+        for (std::size_t k = 0; k < 3; ++k) record.own[k] = state.acceleration(f)[static_cast<Eigen::Index>(k)];
     }
-    record.guarded = f.mode == Mode::numeric && !state.pieces.at(body).cluster;
-    record.support = f.support;
-    record.mode = f.mode;
-    if (f.mode == Mode::series) {
-        const Series& s = state.series.at(body);
+    record.mode = mode_of(motion);
+    record.guarded = std::holds_alternative<Windowed>(motion);
+    if (state.bodies.is_held_by_several(body)) record.support = several_supports;
+    if (const auto* leaning = std::get_if<Leaning>(&motion)) record.support = leaning->plane;
+    if (const auto* bouncing = std::get_if<Bouncing>(&motion)) {
+        const Series& s = bouncing->series;
+        record.support = bouncing->plane;
         record.series =
             SeriesRecord{s.normal_speed, s.gravity, s.restitution, s.tangential, s.velocity, s.acceleration};
     }
@@ -57,13 +58,13 @@ void Ledger::show(Event event) const
     observer_.on_event(event);
 }
 
-void Ledger::report(const State& state, const EpochTime& now, Event event)
+void Ledger::record(const State& state, const EpochTime& now, Event event)
 {
     event.at = now;
     if (event.kind == EventKind::impact) {
         ++out.counts.impacts;
-        if (state.is_plane(event.b))
-            out.plane_impulses[static_cast<std::size_t>(state.plane_index(event.b))] += event.impulse.dot(event.normal);
+        if (const Partner b = state.partner_of(event.b); b.is_plane())
+            out.plane_impulses[static_cast<std::size_t>(b.index)] += event.impulse.dot(event.normal);
     } else if (event.kind == EventKind::rest) {
         ++out.counts.rests;
     } else if (event.kind == EventKind::release) {
@@ -77,35 +78,35 @@ void Ledger::report(const State& state, const EpochTime& now, Event event)
     if (observer_.on_event) show(event);
 }
 
-void Ledger::note_mode(const State& state, BodyId body, Mode next, const EpochTime& now)
+void Ledger::note_motion(const State& state, BodyId body, const Motion& next, const EpochTime& now)
 {
-    const auto is_held = [](Mode mode) {
-        return mode == Mode::resting || mode == Mode::sliding || mode == Mode::numeric;
-    };
     std::optional<double>& rest = out.rest_times[static_cast<std::size_t>(body)];
     if (!is_held(next))
         rest.reset();
-    else if (!is_held(state.flight(body).mode))
+    else if (!is_held(state.bodies.motion(body)))
         rest = state.frame.seconds(now);
 }
 
-void Ledger::take(const EnergyTaken& taken)
+void Ledger::add(const EventOutcome& outcome)
 {
-    out.energy_taken.closing += taken.closing;
-    out.energy_taken.settling += taken.settling;
-    out.energy_taken.stabilising += taken.stabilising;
-    out.energy_taken.guard += taken.guard;
-    out.energy_taken.capped += taken.capped;
+    out.max_penetration = std::max(out.max_penetration, outcome.penetration);
+    out.counts.clusters += outcome.clustered ? 1 : 0;
+    out.counts.capped += outcome.capped ? 1 : 0;
+    out.counts.numeric_steps += outcome.numeric_steps;
+    out.energy_taken.closing += outcome.taken.closing;
+    out.energy_taken.settling += outcome.taken.settling;
+    out.energy_taken.stabilising += outcome.taken.stabilising;
+    out.energy_taken.guard += outcome.taken.guard;
+    out.energy_taken.capped += outcome.taken.capped;
 }
 
 void Ledger::account_for_forces(const State& state, BodyId body, const EpochTime& now)
 {
     EpochTime since = state.flight(body).start;
     if (const auto found = accounted_.find(body); found != accounted_.end()) since = std::max(since, found->second);
-    for (const PersistentContact& c : state.contacts.of(body))
-        if (state.is_plane(c.partner))
-            out.plane_impulses[static_cast<std::size_t>(state.plane_index(c.partner))] +=
-                c.force * state.frame.between(since, now);
+    for (const PersistentContact& c : state.bodies.contacts().of(body))
+        if (c.partner.is_plane())
+            out.plane_impulses[static_cast<std::size_t>(c.partner.index)] += c.force * state.frame.between(since, now);
 }
 
 void Ledger::forces_change(const State& state, BodyId body, const EpochTime& now)
@@ -114,20 +115,22 @@ void Ledger::forces_change(const State& state, BodyId body, const EpochTime& now
     accounted_[body] = now;
 }
 
-void Ledger::account_for_support(const State& state, BodyId body, const EpochTime& now)
+void Ledger::account_for_motion(const State& state, BodyId body, const EpochTime& now)
 {
     const Flight& f = state.flight(body);
-    if (f.mode == Mode::numeric)
-        (state.pieces.at(body).cluster ? out.body_seconds.numeric : out.body_seconds.guarded) +=
-            state.frame.between(f.start, now);
-    if (f.support == several_supports) account_for_forces(state, body, now);
-    if (f.support < 0) return;
-    const Vec3 normal = facing_normal(state, f.support, f.place);
-    const Flight after = advanced(state, body, now);
-    const Vec3& g = state.accelerations[state.accelerations.free()];
-    const double change = normal.dot(after.velocity) - normal.dot(f.velocity);
-    out.plane_impulses[static_cast<std::size_t>(f.support)] +=
-        state.sphere(body).mass * (change - state.frame.between(f.start, now) * normal.dot(g));
+    const Motion& motion = state.bodies.motion(body);
+    const double time = state.frame.between(f.start, now);
+    if (std::holds_alternative<Stepping>(motion)) out.body_seconds.numeric += time;
+    if (std::holds_alternative<Windowed>(motion)) out.body_seconds.guarded += time;
+    if (state.bodies.is_held_by_several(body)) account_for_forces(state, body, now);
+    const auto* leaning = std::get_if<Leaning>(&motion);
+    const auto* bouncing = std::get_if<Bouncing>(&motion);
+    if (!leaning && !bouncing) return;
+    const int plane = leaning ? leaning->plane : bouncing->plane;
+    const Vec3 normal = facing_normal(state, plane, f.place);
+    const double change = normal.dot(advanced(state, body, now).velocity) - normal.dot(f.velocity);
+    out.plane_impulses[static_cast<std::size_t>(plane)] +=
+        state.sphere(body).mass * (change - time * normal.dot(state.gravity()));
 }
 
 }  // namespace carom

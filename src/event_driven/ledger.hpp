@@ -3,7 +3,8 @@
 #pragma once
 
 #include "event_driven/event_hash.hpp"
-#include "event_driven/state.hpp"
+#include "hold/outcome.hpp"
+#include "motion/state.hpp"
 
 #include <carom/features.hpp>
 
@@ -17,16 +18,16 @@ public:
     Ledger(const State& state, const Kernel& kernel, const Observer& observer);
 
     /// Record the impact of a sphere on a plane, at event.at.
-    void report_bounce(const Event& impact, std::size_t plane, double penetration)
+    void record_bounce(const Event& impact, int plane, double penetration)
     {
         ++out.counts.impacts;
-        out.plane_impulses[plane] += impact.impulse.dot(impact.normal);
+        out.plane_impulses[static_cast<std::size_t>(plane)] += impact.impulse.dot(impact.normal);
         out.max_penetration = std::max(out.max_penetration, penetration);
         hash_.add(impact);
         if (observer_.on_event) show(impact);
     }
     /// Record an event that happens at `now`.
-    void report(const State& state, const EpochTime& now, Event event);
+    void record(const State& state, const EpochTime& now, Event event);
     /// Show the observer what the run consists of, and each flight as it begins.
     void show_frame(const State& state) const;
     bool shows_flights() const { return static_cast<bool>(observer_.on_flight); }
@@ -34,17 +35,17 @@ public:
     {
         if (observer_.on_flight) observer_.on_flight(record_of(state, body));
     }
-    /// Add what a plane has carried since the body's flight began, from the balance of normal momentum. Call before the
-    /// flight changes.
-    void account_for_support(const State& state, BodyId body, const EpochTime& now);
+    /// Add what a plane has carried since the body's flight began, from the balance of normal momentum, and the time in
+    /// pieces. Call before the motion changes.
+    void account_for_motion(const State& state, BodyId body, const EpochTime& now);
 
     /// The same where a body in several contacts goes on resting under other forces. Call before they change.
     void forces_change(const State& state, BodyId body, const EpochTime& now);
 
-    /// A body's mode becomes another one at `now`.
-    void note_mode(const State& state, BodyId body, Mode next, const EpochTime& now);
-    /// What thresholds took.
-    void take(const EnergyTaken& taken);
+    /// A body's motion becomes another one at `now`. Call before it does.
+    void note_motion(const State& state, BodyId body, const Motion& next, const EpochTime& now);
+    /// What an event counts beside its events, and what thresholds took.
+    void add(const EventOutcome& outcome);
 
     std::int64_t events() const
     {

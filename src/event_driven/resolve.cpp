@@ -1,68 +1,79 @@
 #include "event_driven/resolve.hpp"
 
 #include "core/expect.hpp"
-#include "event_driven/motion.hpp"
+#include "event_driven/resolve_component.hpp"
 #include "event_driven/resolve_impact.hpp"
-#include "event_driven/support.hpp"
+#include "hold/support.hpp"
+#include "motion/relative.hpp"
 
 namespace carom {
 
 namespace {
 
-Resolution resolve_series_end(const State& state, const Key& key)
+void end_series(const State& state, const Key& key, EventOutcome& out)
 {
-    Resolution out;
     const BodyId id = key.a;
-    const int plane = state.plane_index(key.b);
-    const Series& series = state.series.at(id);
-    const Flight before = state.flight(id);
-    const Vec3 normal = facing_normal(state, plane, before.place);
-    const SeriesState end = state_at_end(series);
+    const Bouncing& bouncing = *state.bodies.as<Bouncing>(id);
+    const Flight& before = state.flight(id);
+    const Vec3 normal = facing_normal(state, bouncing.plane, before.place);
+    const SeriesState end = state_at_end(bouncing.series);
 
-    Flight f = before;
-    f.start = key.time;
-    f.place = moved(state.frame, before.place, end.shift);
-    f.velocity = end.velocity;
-    settle(state, id, plane, f);
+    Change change{id, before};
+    change.flight.start = key.time;
+    change.flight.place = moved(state.frame, before.place, end.shift);
+    change.flight.velocity = end.velocity;
+    settle(state, bouncing.plane, change);
     // All bounces together, from the balance of momentum.
-    const Vec3& g = state.accelerations[state.accelerations.free()];
-    const Vec3 impulse = state.sphere(id).mass * ((f.velocity - before.velocity) - series.duration() * g);
-    out.events.push_back({EventKind::rest, {}, 0, id, key.b, normal, impulse});
-    out.changes.push_back({id, f});
-    return out;
+    const Vec3 impulse = state.sphere(id).mass *
+                         ((change.flight.velocity - before.velocity) - bouncing.series.duration() * state.gravity());
+    out.events.push_back(make_event(state, EventKind::rest, id, key.b, normal, impulse));
+    out.changes.push_back(change);
 }
 
 /// A sphere reached the ball that a series sweeps: the series becomes the bounce it is in.
-Resolution resolve_intrusion(const State& state, const Key& key)
+void end_series_inside(const State& state, const Key& key, EventOutcome& out)
 {
-    Resolution out;
-    for (const BodyId body : {key.a, key.b})
-        if (!state.is_plane(body) && state.flight(body).mode == Mode::series)
-            out.changes.push_back({body, advanced(state, body, key.time)});
-    return out;
+    const auto interrupt = [&](BodyId body) {
+        if (state.bodies.kind(body) != MotionKind::bouncing) return;
+        add_change(state, body, key.time, out).motion = Flying{};
+    };
+    interrupt(key.a);
+    if (key.b.is_sphere()) interrupt(key.b.index);
 }
 
 }  // namespace
 
-Resolution resolve(const State& state, const Key& key, const Neighbourhood& neighbourhood)
+Event make_event(const State& state, EventKind kind, BodyId a, Partner b, const Vec3& normal, const Vec3& impulse)
+{
+    const BodyId other = state.body_of(b);
+    if (a < other) return {kind, {}, 0, a, other, normal, impulse};
+    return {kind, {}, 0, other, a, -normal, -impulse};
+}
+
+bool resolve(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out)
 {
     switch (key.kind) {
         case Scheduled::pair_impact:
-            return resolve_sphere_impact(state, key, neighbourhood);
+            if (resolve_sphere_impact(state, key, neighbourhood, out)) return true;
+            break;
         case Scheduled::plane_impact:
-            return resolve_plane_impact(state, key, neighbourhood);
+            if (resolve_plane_impact(state, key, neighbourhood, out)) return true;
+            break;
         case Scheduled::series_end:
-            return resolve_series_end(state, key);
+            end_series(state, key, out);
+            return true;
         case Scheduled::intrusion:
-            return resolve_intrusion(state, key);
+            end_series_inside(state, key, out);
+            return true;
         case Scheduled::piece_end:
-            return coupled();
+            break;
         case Scheduled::cell_crossing:
         case Scheduled::nothing:
-            break;
+            CAROM_EXPECT(false);
     }
-    CAROM_EXPECT(false);
-    return {};
+    out = {};
+    resolve_component(state, key, neighbourhood, out);
+    return false;
 }
 
 }  // namespace carom

@@ -1,7 +1,8 @@
 #include "event_driven/resolve_component.hpp"
 
-#include "event_driven/support.hpp"
-#include "impact/cluster_problem.hpp"
+#include "contact/contact_problem.hpp"
+#include "hold/hold_component.hpp"
+#include "hold/rest_policy.hpp"
 #include "impact/resolve_cluster.hpp"
 #include "math/length.hpp"
 
@@ -16,59 +17,23 @@ namespace {
 /// Of the largest speed: impulses that change speeds by less are what rounding leaves of none.
 constexpr double rounding = 1e-13;
 
-std::vector<Vec3> velocities_of(const ContactComponent& component)
-{
-    std::vector<Vec3> out;
-    for (const Flight& f : component.flights) out.push_back(f.velocity);
-    return out;
-}
-
-/// Restitution as the rest policy has it. Policy contact: e := 0: for all contacts if every closing is slower than v_c,
-/// otherwise for those that closed a moment ago. Never where all e = 1. \returns whether something was made inelastic
-bool apply_policy(const State& state, const ContactComponent& component, const EpochTime& now, Cluster& cluster)
-{
-    const std::vector<Vec3> velocities = velocities_before(cluster);
-    if (state.scene.rest.policy == RestPolicy::micro)
-        for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
-            const Touch& t = component.contacts[i];
-            const double closing = -closing_rate(cluster.contacts[i], velocities);
-            cluster.contacts[i].restitution = law_of_impact(state, state.law(t.a, t.b), closing).restitution;
-        }
-    if (state.scene.rest.policy != RestPolicy::contact) return false;
-    const auto loses = [](const ClusterContact& c) { return c.restitution < 1; };
-    if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), loses)) return false;
-    double fastest = 0;
-    for (const ClusterContact& c : cluster.contacts) fastest = std::max(fastest, -closing_rate(c, velocities));
-    bool some = false;
-    for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
-        ClusterContact& c = cluster.contacts[i];
-        const Touch& t = component.contacts[i];
-        if (!(c.restitution > 0) || (fastest >= state.rest.closing_speed && !state.recent.has(t.a, t.b, now))) continue;
-        c.restitution = 0;
-        some = true;
-    }
-    return some;
-}
-
 class Resolver {
 public:
-    Resolver(const State& state, ContactComponent component, const EpochTime& now)
-        : state_(state), component_(std::move(component)), now_(now)
+    /// \param key of the event, null for contacts of the start
+    Resolver(const State& state, ContactComponent component, const EpochTime& now, const Key* key, EventOutcome& out)
+        : state_(state), component_(std::move(component)), now_(now), key_(key), out_(out)
     {
     }
 
-    /// \param key of the event, null for contacts of the start
-    ComponentResolution go(const Key* key)
+    void go()
     {
-        const bool started = key == nullptr;
-        for (const Touch& t : component_.contacts) out_.penetration = std::max(out_.penetration, -t.gap);
-        impulses_.assign(component_.contacts.size(), Vec3::Zero());
-        const std::vector<Flight> before = component_.flights;
+        const std::vector<Contact>& contacts = component_.problem.contacts;
+        for (const Contact& c : contacts) out_.penetration = std::max(out_.penetration, -c.gap);
+        impulses_.assign(contacts.size(), Vec3::Zero());
+        const ContactProblem before = component_.problem;
         collide();
-        const std::vector<Touch> contacts = component_.contacts, opened = component_.opened;
-        const double speed = std::max(speed_, largest_speed(velocities_of(component_)));
-        HeldComponent held = hold(state_, std::move(component_), now_);
-        const auto is_asked = [&](const Touch& t) { return key != nullptr && is_impact(*key) && is_of(t, *key); };
+        const double speed = std::max(speed_, largest_speed(velocities_before(component_.problem)));
+        const HeldContacts held = hold(state_, component_, now_, out_);
         // Where what is asked for is less than slow, so is what balances it.
         double least = slow(speed);
         for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -77,128 +42,146 @@ public:
                                             lightness(contacts[i]));
         least = std::max(least, rounding * speed);
         for (std::size_t i = 0; i < contacts.size(); ++i) {
-            const Touch& t = contacts[i];
+            const Contact& c = contacts[i];
             Vec3 impulse = Vec3::Zero();
-            if (length(impulses_[i]) * lightness(t) > rounding * speed) impulse += impulses_[i];
-            if (is_asked(t) || std::abs(held.impulses[i]) * lightness(t) > least)
-                impulse += held.impulses[i] * t.normal;
-            report(t, impulse, held.persists[i], started);
+            if (length(impulses_[i]) * lightness(c) > rounding * speed) impulse += impulses_[i];
+            if (is_asked(c) || std::abs(held.impulses[i]) * lightness(c) > least)
+                impulse += held.impulses[i] * c.normal;
+            record(c, impulse, held.persists[i]);
         }
-        for (const Touch& t : opened) report(t, Vec3::Zero(), false, started);
+        for (const Contact& c : component_.opened) record(c, Vec3::Zero(), false);
         std::stable_partition(out_.events.begin(), out_.events.end(),
                               [](const Event& event) { return event.kind == EventKind::impact; });
-        drop_what_goes_on(before, held.changes, key);
-        out_.changes = std::move(held.changes);
-        out_.taken.settling = held.taken.settling;
-        out_.taken.stabilising = held.taken.stabilising;
-        out_.numeric_steps = held.numeric_steps;
-        out_.penetration = std::max(out_.penetration, held.depth);
-        return std::move(out_);
+        if (key_) drop_what_goes_on(before);
     }
 
 private:
     /// Impacts, if something closes.
     void collide()
     {
-        Cluster cluster = cluster_of(state_, component_);
+        ContactProblem cluster = component_.problem;
         const std::vector<Vec3> before = velocities_before(cluster);
         speed_ = largest_speed(before);
-        const auto closes = [&](const ClusterContact& c) { return closing_rate(c, before) < -slow(speed_); };
+        const auto closes = [&](const Contact& c) { return closing_rate(c, before) < -slow(speed_); };
         if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), closes)) return;
 
-        const bool inelastic = apply_policy(state_, component_, now_, cluster);
+        const bool inelastic = apply_policy(cluster);
         ClusterImpact impact = resolve_cluster(cluster, state_.scene.impact);
         out_.capped = impact.capped;
         if (inelastic || impact.capped)
             (impact.capped ? out_.taken.capped : out_.taken.closing) =
                 kinetic_energy(cluster, before) - kinetic_energy(cluster, impact.velocities);
-        for (std::size_t k = 0; k < component_.flights.size(); ++k)
-            component_.flights[k].velocity = impact.velocities[k];
+        for (std::size_t k = 0; k < before.size(); ++k) component_.problem.bodies[k].velocity = impact.velocities[k];
         impulses_ = std::move(impact.impulses);
         out_.clustered = std::count_if(impulses_.begin(), impulses_.end(),
                                        [](const Vec3& impulse) { return !impulse.isZero(0); }) > 1;
     }
 
-    /// Bodies that were close by only keep their flights. Of those whose event it is one at least does not, so that it
-    /// does not come again.
-    void drop_what_goes_on(const std::vector<Flight>& before, std::vector<MemberChange>& changes, const Key* key) const
+    /// Restitution as the rest policy has it. Policy contact: e := 0: for all contacts if every closing is slower than
+    /// v_c, otherwise for those that closed a moment ago. Never where all e = 1.
+    /// \returns whether something was made inelastic
+    bool apply_policy(ContactProblem& cluster) const
     {
-        if (key == nullptr) return;
+        const std::vector<Vec3> velocities = velocities_before(cluster);
+        if (state_.scene.rest.policy == RestPolicy::micro)
+            for (Contact& c : cluster.contacts)
+                c.restitution =
+                    law_of_impact(state_, state_.law(component_.id_of_a(c), c.partner), -closing_rate(c, velocities))
+                        .restitution;
+        if (state_.scene.rest.policy != RestPolicy::contact) return false;
+        const auto loses = [](const Contact& c) { return c.restitution < 1; };
+        if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), loses)) return false;
+        double fastest = 0;
+        for (const Contact& c : cluster.contacts) fastest = std::max(fastest, -closing_rate(c, velocities));
+        bool some = false;
+        for (Contact& c : cluster.contacts) {
+            if (!(c.restitution > 0) || (fastest >= state_.rest.closing_speed &&
+                                         !state_.recent.has(component_.id_of_a(c), state_.body_of(c.partner), now_)))
+                continue;
+            c.restitution = 0;
+            some = true;
+        }
+        return some;
+    }
+
+    /// Bodies that were close by only keep their flights.
+    void drop_what_goes_on(const ContactProblem& before)
+    {
         std::unordered_set<BodyId> named;
         for (const Event& event : out_.events) named.insert({event.a, event.b});
-        std::vector<char> drops;
-        int of_key = 0, dropped_of_key = 0;
-        const auto is_of_key = [&](const MemberChange& c) { return c.body == key->a || c.body == key->b; };
-        for (std::size_t k = 0; k < before.size(); ++k) {
-            drops.push_back(!named.contains(changes[k].body) && goes_on(changes[k], before[k]));
-            if (!is_of_key(changes[k])) continue;
-            ++of_key;
-            dropped_of_key += drops[k];
-        }
-        std::size_t k = 0;
-        const bool all = of_key == dropped_of_key;
-        std::erase_if(changes, [&](const MemberChange& c) { return drops[k++] && !(all && is_of_key(c)); });
+        std::erase_if(out_.changes, [&](const Change& change) {
+            const auto body = std::lower_bound(before.bodies.begin(), before.bodies.end(), change.body,
+                                               [](const ContactBody& b, BodyId id) { return b.id < id; });
+            return !named.contains(change.body) && goes_on(change, body->velocity);
+        });
     }
 
-    bool goes_on(const MemberChange& change, const Flight& before) const
+    bool goes_on(const Change& change, const Vec3& velocity_before) const
     {
-        const Flight &old = state_.flight(change.body), &next = change.flight;
-        const bool simple = old.support != several_supports && (old.mode == Mode::flying || old.mode == Mode::sliding);
-        return simple && old.mode == next.mode && old.support == next.support &&
-               old.acceleration == next.acceleration && before.velocity == next.velocity;
+        const MotionKind kind = state_.bodies.kind(change.body);
+        if (kind != kind_of(change.motion) || velocity_before != change.flight.velocity ||
+            state_.flight(change.body).acceleration != change.flight.acceleration)
+            return false;
+        if (kind == MotionKind::flying) return true;
+        const auto* leaning = state_.bodies.as<Leaning>(change.body);
+        return leaning && !leaning->rests && !std::get<Leaning>(change.motion).rests &&
+               leaning->plane == std::get<Leaning>(change.motion).plane;
     }
 
-    static bool is_impact(const Key& key)
+    /// Is it the contact of an impact that the event is about?
+    bool is_asked(const Contact& c) const
     {
-        return key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact;
-    }
-    static bool is_of(const Touch& t, const Key& key)
-    {
-        return (t.a == key.a && t.b == key.b) || (t.a == key.b && t.b == key.a);
+        if (!key_ || (key_->kind != Scheduled::pair_impact && key_->kind != Scheduled::plane_impact)) return false;
+        const BodyId a = component_.id_of_a(c);
+        return (a == key_->a && c.partner == key_->b) ||
+               (c.partner == Partner::sphere(key_->a) && key_->b == Partner::sphere(a));
     }
 
     /// Slower is as good as not at all, where contacts persist.
     double slow(double speed) const { return std::max(1e-6 * state_.rest.closing_speed, 1e-12 * speed); }
 
-    double lightness(const Touch& t) const
+    double lightness(const Contact& c) const
     {
-        return state_.inverse_mass(t.a) + (state_.is_plane(t.b) ? 0 : state_.inverse_mass(t.b));
+        return state_.inverse_mass(component_.id_of_a(c)) + state_.inverse_mass(c.partner);
     }
 
     /// What happened to a contact: an impulse, or none; that it begins to persist, or opens. A contact that opened
-    /// slowly and was held is pulled, which no impact does.
-    void report(const Touch& t, const Vec3& impulse, bool persists, bool started)
+    /// slowly and was held is pulled, which no impact does. Contacts of the start neither begin nor end.
+    void record(const Contact& c, const Vec3& impulse, bool persists)
     {
         const bool changes = !impulse.isZero(0);
-        const bool pulls = changes && impulse.dot(t.normal) < 0;
-        const Vec3 none = Vec3::Zero();
-        const auto add = [&](EventKind kind, const Vec3& j) { out_.events.push_back(event_between(kind, t, j)); };
-        if (changes && !pulls) add(EventKind::impact, impulse);
-        if (pulls) add(EventKind::settle, impulse);
-        if (persists && !t.persistent && !started) add(EventKind::rest, none);
-        if (!persists && t.persistent && !started) add(EventKind::release, none);
+        const bool pulls = changes && impulse.dot(c.normal) < 0;
+        const auto add = [&](EventKind kind, const Vec3& j) {
+            out_.events.push_back(make_event(state_, kind, component_.id_of_a(c), c.partner, c.normal, j));
+        };
+        if (changes) add(pulls ? EventKind::settle : EventKind::impact, impulse);
+        if (key_ && persists && !c.persistent) add(EventKind::rest, Vec3::Zero());
+        if (key_ && !persists && c.persistent) add(EventKind::release, Vec3::Zero());
     }
 
     const State& state_;
     ContactComponent component_;
     const EpochTime now_;
+    const Key* const key_;
+    EventOutcome& out_;
     double speed_ = 0;            ///< the largest before [length/time]
     std::vector<Vec3> impulses_;  ///< by contact: of the impact [mass length/time]
-    ComponentResolution out_;
 };
 
 }  // namespace
 
-ComponentResolution resolve_component(const State& state, const Key& key, const Neighbourhood& neighbourhood)
+void resolve_component(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out)
 {
-    return Resolver(state, gather(state, key, neighbourhood), key.time).go(&key);
+    Resolver(state, gather(state, key, neighbourhood), key.time, &key, out).go();
 }
 
-std::vector<ComponentResolution> begin_components(const State& state)
+std::vector<EventOutcome> begin_components(const State& state)
 {
-    std::vector<ComponentResolution> out;
-    for (ContactComponent& component : declared_components(state))
-        out.push_back(Resolver(state, std::move(component), {}).go(nullptr));
+    std::vector<EventOutcome> out;
+    for (ContactComponent& component : declared_components(state)) {
+        out.emplace_back();
+        Resolver(state, std::move(component), {}, nullptr, out.back()).go();
+    }
     return out;
 }
 

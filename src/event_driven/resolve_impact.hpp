@@ -1,24 +1,37 @@
 /// \file
-/// The two kinds of impact, see `resolve`.
+/// The impact of one contact alone, see `resolve`.
 #pragma once
 
 #include "event_driven/resolve.hpp"
+#include "motion/kinematics.hpp"
 
 namespace carom {
 
-Resolution resolve_sphere_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood);
-Resolution resolve_plane_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood);
-
-/// Not carried out: an event for resolve_component.
-inline Resolution coupled()
-{
-    Resolution out;
-    out.coupled = true;
-    return out;
-}
+/// \returns false if the event is not one of this contact alone: it is one for resolve_component, and what `out` has
+/// got is of no use
+bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out);
+bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out);
 
 /// After an impact the kernel must not see its contact close again; rounding may say otherwise. Nudges of growing size,
 /// the first within a few ulps of the speed, end that: at most so many.
 inline constexpr int most_nudges = 64;
+
+/// How the body moves on if nothing happens to it: to be changed.
+inline Change& add_change(const State& state, BodyId body, const EpochTime& now, EventOutcome& out)
+{
+    Change& change = out.changes.emplace_back();
+    change.body = body;
+    change.flight = flown(state, body, now);
+    if (state.bodies.kind(body) != MotionKind::flying) change.motion = state.bodies.motion(body);
+    return change;
+}
+
+/// The event of a body that is pulled off the plane on which it leaned.
+inline Event release_event(const State& state, BodyId body)
+{
+    const int plane = state.bodies.as<Leaning>(body)->plane;
+    return make_event(state, EventKind::release, body, Partner::plane(plane),
+                      facing_normal(state, plane, state.flight(body).place));
+}
 
 }  // namespace carom

@@ -1,9 +1,9 @@
-#include "event_driven/low_bounce.hpp"
-#include "event_driven/motion.hpp"
-#include "event_driven/resolve_component.hpp"
 #include "event_driven/resolve_impact.hpp"
-#include "event_driven/simultaneous.hpp"
-#include "event_driven/support.hpp"
+
+#include "gather/instant.hpp"
+#include "hold/low_bounce.hpp"
+#include "hold/rest_policy.hpp"
+#include "hold/support.hpp"
 #include "impact/pair_law.hpp"
 #include "math/error_free.hpp"
 
@@ -19,8 +19,8 @@ namespace {
 bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const Flight& f, const Vec3& normal,
                 const Neighbourhood& neighbourhood)
 {
-    const auto pressed = [&] { return normal.dot(state.accelerations[f.acceleration]) < 0; };
-    return f.support == several_supports ||
+    const auto pressed = [&] { return normal.dot(state.acceleration(f)) < 0; };
+    return state.bodies.is_held_by_several(key.a) ||
            (is_inelastic(state, law, key.a, key.b, -normal.dot(f.velocity), key.time) && !pressed()) ||
            belongs_to_previous_instant(state, key) ||
            other_closed(state, ContactInstant(state, key), f, key.a, key.b, neighbourhood);
@@ -28,58 +28,48 @@ bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const
 
 }  // namespace
 
-Resolution resolve_plane_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood)
+bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out)
 {
-    Resolution out;
     const BodyId id = key.a;
-    const int plane = state.plane_index(key.b);
-    Flown now = flown(state, id, key.time);
-    Flight& f = now.flight;
-    const bool certified = state.certified() && flies_freely(f);
-    const Vec3 normal = facing_normal(state, plane, f.place);
+    const int plane = key.b.index;
+    Change& change = add_change(state, id, key.time, out);
+    Flight& f = change.flight;
+    const Encounter encounter(state, f, id, nullptr, key.b);
+    const Vec3& normal = encounter.normal();
     const ContactLaw& plain = state.law(id, key.b);
-    out.coupled = is_coupled(state, key, plain, f, normal, neighbourhood);
-    if (out.coupled) return out;
+    if (is_coupled(state, key, plain, f, normal, neighbourhood)) return false;
 
     const ContactLaw law = law_of_impact(state, plain, -normal.dot(f.velocity));
-    out.penetration = certified ? certified_penetration(state, now, id, plane)
-                                : std::max(0.0, -height_above(state, id, plane, f.place));
-    const auto approaches = [&] {
-        return certified ? exact_plane_sign(normal, f.velocity) < 0 : normal.dot(f.velocity) < 0;
-    };
+    out.penetration = encounter.penetration();
 
-    Event impact{EventKind::impact, {}, 0, id, key.b, normal, Vec3::Zero()};
-    if (approaches()) {
-        const Vec3 change = velocity_change(f.velocity, normal, law);
-        f.velocity += change;
-        impact.impulse = (1 / state.inverse_mass(id)) * change;
+    Vec3 impulse = Vec3::Zero();
+    if (encounter.approach_sign() < 0) {
+        const Vec3 gained = velocity_change(f.velocity, normal, law);
+        f.velocity += gained;
+        impulse = (1 / state.inverse_mass(id)) * gained;
     }
-    out.events.push_back(impact);
-    const SupportAfterImpact support = keep_to_support(state, f);
-    if (support == SupportAfterImpact::released) out.events.push_back(release_event(state, id, state.flight(id)));
-    if (support == SupportAfterImpact::pushed) return coupled();
-    const double gravity = -normal.dot(state.accelerations[f.acceleration]);  // > 0 presses, as it goes on
+    out.events.push_back(make_event(state, EventKind::impact, id, key.b, normal, impulse));
+    const SupportAfterImpact support = keep_to_support(state, change);
+    if (support == SupportAfterImpact::released) out.events.push_back(release_event(state, id));
+    if (support == SupportAfterImpact::pushed) return false;
+    const double gravity = -normal.dot(state.acceleration(f));  // > 0 presses, as it goes on
     double nudge = 4 * unit_roundoff * std::sqrt(f.velocity.squaredNorm());
-    for (int i = 0; i < most_nudges && approaches(); ++i, nudge *= 2) f.velocity += nudge * normal;
+    for (int i = 0; i < most_nudges && encounter.approach_sign() < 0; ++i, nudge *= 2) f.velocity += nudge * normal;
 
     const double w = normal.dot(f.velocity);
-    const bool rests = is_rest(state.radius(id) + state.frame.cell_size, f.velocity, w, gravity);
-    if (rests && f.support >= 0) return coupled();
-    out.changes.push_back({id, f, now.low});
-    Change& change = out.changes.front();
-    if (rests) {
-        settle(state, id, plane, change.flight);
-        change.low.setZero();
-        out.events.push_back({EventKind::rest, {}, 0, id, key.b, normal, Vec3::Zero()});
-    } else if (f.support < 0 && is_low(state, id, w, gravity, law)) {
-        out.series = make_series(state, f, plane, w, gravity, law);
-        if (series_is_clear(state, id, f, plane, out.series, neighbourhood)) {
-            change.flight.mode = Mode::series;
-            change.low.setZero();
-            change.flight.support = plane;
+    const bool leans = kind_of(change.motion) == MotionKind::leaning;
+    if (is_rest(state.radius(id) + state.frame.cell_size, f.velocity, w, gravity)) {
+        if (leans) return false;
+        settle(state, plane, change);
+        out.events.push_back(make_event(state, EventKind::rest, id, key.b, normal));
+    } else if (!leans && is_low(state, id, w, gravity, law)) {
+        const Bouncing bouncing{plane, make_series(state, f, plane, w, gravity, law)};
+        if (series_is_clear(state, id, f, bouncing, neighbourhood)) {
+            std::fill_n(f.place.low, 3, 0.0);
+            change.motion = bouncing;
         }
     }
-    return out;
+    return true;
 }
 
 }  // namespace carom

@@ -3,14 +3,13 @@
 /// and stamps.)
 #pragma once
 
-#include "event_driven/guard.hpp"
 #include "event_driven/impact_rate.hpp"
 #include "event_driven/ledger.hpp"
-#include "event_driven/motion.hpp"
-#include "event_driven/numeric_motion.hpp"
-#include "event_driven/piece.hpp"
 #include "event_driven/resolve.hpp"
-#include "event_driven/resolve_component.hpp"
+#include "hold/guard.hpp"
+#include "hold/numeric_motion.hpp"
+#include "hold/support.hpp"
+#include "motion/moment.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,12 +23,12 @@ class Run {
 public:
     Run(const Scene& scene, const Kernel& kernel, const EventDriven& method, const RunOptions& options,
         const Observer& observer)
-        : state_(scene, method.certified),
+        : state_(scene, method.certified ? Precision::certified : Precision::plain),
           ledger_(state_, kernel, observer),
           options_(options),
           observer_(observer),
           end_(state_.frame.after({}, std::isnan(options.until) ? scene.end_time : options.until)),
-          schedule_(begin(), method.broad_phase, ledger_.out.counts),
+          schedule_(begin(), ledger_.out.counts),
           rate_(state_),
           neighbourhood_([this](BodyId body) { return schedule_.neighbours(body); }),
           deadline_(deadline(options))
@@ -48,7 +47,7 @@ public:
             else if (schedule_.is_stale(state_, next))
                 schedule_.predict_again(state_, next, ledger_.out.counts);
             else if (!schedule_.refine(state_, next, ledger_.out.counts))
-                status = execute(next.key);
+                status = carry_out(next.key);
         }
         return finish(status);
     }
@@ -67,109 +66,132 @@ private:
     const State& begin()
     {
         ledger_.show_frame(state_);
-        for (const Change& change : initial_contacts(state_)) commit(change, {});
-        const std::vector<ComponentResolution> components = begin_components(state_);
-        for (const ComponentResolution& component : components)
+        for (Change& change : initial_contacts(state_)) {
+            outcome_ = {};
+            outcome_.changes.push_back(std::move(change));
+            commit(outcome_);
+        }
+        const std::vector<EventOutcome> components = begin_components(state_);
+        for (const EventOutcome& component : components)
             if (component.events.empty()) commit(component);
         for (BodyId i = 0; i < state_.count(); ++i) ledger_.show_flight(state_, i);
         // Those that close have their impacts then, from flights that everybody has seen.
-        for (const ComponentResolution& component : components) {
+        for (const EventOutcome& component : components) {
             if (component.events.empty()) continue;
             commit(component);
-            for (const MemberChange& change : component.changes) ledger_.show_flight(state_, change.body);
+            for (const Change& change : component.changes) ledger_.show_flight(state_, change.body);
         }
-        for (std::uint32_t& stamp : state_.stamps) stamp = 0;
+        state_.bodies.begin();
         return state_;
     }
 
-    Status execute(Key key)
+    Status carry_out(Key key)
     {
-        if (!state_.pieces.empty() && (key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact))
-            key.time = time_of_contact(state_, key, now_);
+        const bool impact = key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact;
+        if (impact && state_.bodies.some_in_piece()) key.time = time_of_contact(state_, key, now_);
         now_ = key.time;
         show_samples_before(now_);
-        if constexpr (requires { &Schedule::bounces; })
+        if constexpr (requires { &Schedule::template bounces<Ledger>; })
             if (const auto bounces = schedule_.bounces(state_, horizon(), bounces_at_once(), ledger_);
                 bounces.count > 0) {
-                now_ = state_.flights[0].start;
+                now_ = state_.flight(0).start;
                 hit_.clear();
                 if (bounces.lose_energy) hit_.push_back(key.a);
                 return watch(key, hit_);
             }
-        hit_.clear();
-        const Resolution resolution = resolve(state_, key, neighbourhood_);
-        if (resolution.coupled) return execute_component(key);
-        if (comes_to_rest(resolution.events)) return zeno(key);
-        for (const Change& change : resolution.changes) commit(change, resolution.series);
-        ledger_.out.max_penetration = std::max(ledger_.out.max_penetration, resolution.penetration);
-        for (const Event& event : resolution.events) report(event);
-        for (const Change& change : resolution.changes) ledger_.show_flight(state_, change.body);
-        for (const Change& changed : resolution.changes)
-            schedule_.flight_changed(state_, changed.body, now_, ledger_.out.counts);
+        clear(outcome_);
+        const bool alone = resolve(state_, key, neighbourhood_, outcome_);
+        if (comes_to_rest(outcome_)) return zeno(key);
+        commit(outcome_);
+        for (const Change& change : outcome_.changes) ledger_.show_flight(state_, change.body);
+        if (alone)
+            for (const Change& change : outcome_.changes)
+                schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
+        else
+            schedule_.flights_changed(state_, outcome_.changes, now_, ledger_.out.counts);
+        // Not to stand still: an event of a component without an impact counts, too.
+        if (!alone && impact && outcome_.events.empty()) {
+            hit_.assign({key.a});
+            if (key.b.is_sphere()) hit_.push_back(key.b.index);
+        }
         return hit_.empty() ? limits() : watch(key, hit_);
     }
 
-    /// An event of bodies in several contacts.
-    Status execute_component(const Key& key)
+    /// What was allocated stays for the next event.
+    static void clear(EventOutcome& outcome)
     {
-        const ComponentResolution resolution = resolve_component(state_, key, neighbourhood_);
-        if (comes_to_rest(resolution.events)) return zeno(key);
-        execute(resolution);
-        // Not to stand still: an event without an impact counts, too.
-        if (key.kind != Scheduled::piece_end && resolution.events.empty()) return watch(key, std::array{key.a, key.b});
-        return watch(key, hit_);
+        outcome.changes.clear();
+        outcome.forces.clear();
+        outcome.events.clear();
+        outcome.taken = {};
+        outcome.numeric_steps = 0;
+        outcome.clustered = outcome.capped = false;
+        outcome.penetration = 0;
     }
 
     /// Where policy none stops.
-    template <class Events>
-    bool comes_to_rest(const Events& events) const
+    bool comes_to_rest(const EventOutcome& outcome) const
     {
         return state_.scene.rest.policy == RestPolicy::none &&
-               std::any_of(events.begin(), events.end(), [](const Event& e) { return e.kind == EventKind::rest; });
+               std::any_of(outcome.events.begin(), outcome.events.end(),
+                           [](const Event& e) { return e.kind == EventKind::rest; });
     }
-    Status zeno(const Key& key)
+    std::string names(const Key& key) const
     {
-        return stop(Status::zeno, "impacts of " + state_.scene.body_name(key.a) + " and " +
-                                      state_.scene.body_name(key.b) + " accumulate: a Zeno point");
+        return state_.scene.body_name(key.a) + " and " +
+               state_.scene.body_name(key.b.kind == Partner::Kind::none ? key.a : state_.body_of(key.b));
     }
+    Status zeno(const Key& key) { return stop(Status::zeno, "impacts of " + names(key) + " accumulate: a Zeno point"); }
 
     /// Impacts of these bodies may accumulate.
-    template <class Bodies>
-    Status watch(const Key& key, const Bodies& bodies)
+    Status watch(const Key& key, std::span<const BodyId> bodies)
     {
         for (const BodyId body : bodies) {
-            if (state_.is_plane(body) || state_.is_fixed(body) || !rate_.add(state_, now_, body)) continue;
+            if (state_.is_fixed(body) || !rate_.add(state_, now_, body)) continue;
             if (!rate_.accumulates(state_, now_, guarded_bodies(state_, body, now_, neighbourhood_, rate_.enough())))
                 continue;
             if (state_.scene.rest.policy == RestPolicy::none) return zeno(key);
             if (!state_.scene.guard.on)
-                return stop(Status::unresolved, "impacts of " + state_.scene.body_name(key.a) + " and " +
-                                                    state_.scene.body_name(key.b) +
-                                                    " accumulate, and the guard is off");
-            execute(guard(state_, body, now_, neighbourhood_));
+                return stop(Status::unresolved, "impacts of " + names(key) + " accumulate, and the guard is off");
+            const EventOutcome window = guard(state_, body, now_, neighbourhood_);
+            commit(window);
+            for (const Change& change : window.changes) ledger_.show_flight(state_, change.body);
+            schedule_.flights_changed(state_, window.changes, now_, ledger_.out.counts);
             break;
         }
         return limits();
     }
 
-    void execute(const ComponentResolution& resolution)
+    /// The one place where motions change.
+    void commit(const EventOutcome& outcome)
     {
-        commit(resolution);
-        for (const MemberChange& change : resolution.changes)
-            if (!change.rests_on) ledger_.show_flight(state_, change.body);
-        changed_.clear();
-        for (const MemberChange& change : resolution.changes)
-            if (!change.rests_on) changed_.push_back(change.body);
-        schedule_.flights_changed(state_, changed_, now_, ledger_.out.counts);
+        hit_.clear();
+        const auto flies_on = [&](const Change& change) {
+            return state_.bodies.kind(change.body) == MotionKind::flying &&
+                   kind_of(change.motion) == MotionKind::flying;
+        };
+        for (const Change& change : outcome.changes) {
+            if (flies_on(change)) continue;  // nothing to enter for these: nearly all
+            ledger_.account_for_motion(state_, change.body, now_);
+            ledger_.note_motion(state_, change.body, change.motion, now_);
+        }
+        for (const Change& change : outcome.changes) state_.bodies.set(change);
+        for (const ForceChange& change : outcome.forces) {
+            ledger_.forces_change(state_, change.body, now_);
+            state_.bodies.set_forces(change.body, change.contacts);
+        }
+        ledger_.add(outcome);
+        for (const Event& event : outcome.events) record(event);
     }
 
-    void report(const Event& event)
+    void record(const Event& event)
     {
-        if (state_.loses_energy && event.kind == EventKind::impact && state_.law(event.a, event.b).restitution < 1) {
+        if (state_.loses_energy && event.kind == EventKind::impact &&
+            state_.law(event.a, state_.partner_of(event.b)).restitution < 1) {
             state_.recent.add(event.a, event.b, now_);
             hit_.push_back(state_.is_fixed(event.a) ? event.b : event.a);
         }
-        ledger_.report(state_, now_, event);
+        ledger_.record(state_, now_, event);
     }
 
     /// Nothing but an event changes what an observer would see until then.
@@ -182,53 +204,6 @@ private:
     int bounces_at_once() const
     {
         return static_cast<int>(std::min<std::int64_t>(256, options_.max_events - ledger_.events()));
-    }
-
-    void commit(const Change& change, const Series& series)
-    {
-        Flight& flight = state_.flights[static_cast<std::size_t>(change.body)];
-        // Nothing to enter for those that flew and fly: nearly all.
-        if (flight.mode != Mode::flying || change.flight.mode != Mode::flying) {
-            ledger_.account_for_support(state_, change.body, now_);
-            ledger_.note_mode(state_, change.body, change.flight.mode, now_);
-            if (flight.mode == Mode::series) state_.series.erase(change.body);
-        }
-        flight = change.flight;
-        if (state_.certified()) state_.low[static_cast<std::size_t>(change.body)] = change.low;
-        if (flight.mode == Mode::series) state_.series[change.body] = series;
-        ++state_.stamps[static_cast<std::size_t>(change.body)];
-    }
-
-    void commit(const ComponentResolution& resolution)
-    {
-        for (const MemberChange& change : resolution.changes) {
-            if (change.rests_on) continue;
-            ledger_.account_for_support(state_, change.body, now_);
-            ledger_.note_mode(state_, change.body, change.flight.mode, now_);
-        }
-        for (const MemberChange& change : resolution.changes) {
-            if (change.rests_on) {
-                ledger_.forces_change(state_, change.body, now_);
-                state_.contacts.set_forces(change.body, change.contacts);
-                continue;
-            }
-            state_.series.erase(change.body);
-            state_.pieces.erase(change.body);
-            if (state_.accelerations.is_own(change.flight.acceleration))
-                state_.accelerations.set_own(change.body, change.acceleration);
-            if (change.flight.mode == Mode::numeric) state_.pieces[change.body] = change.piece;
-            state_.contacts.set(change.body, change.contacts, state_.count());
-            state_.flights[static_cast<std::size_t>(change.body)] = change.flight;
-            if (state_.certified()) state_.low[static_cast<std::size_t>(change.body)].setZero();
-            ++state_.stamps[static_cast<std::size_t>(change.body)];
-        }
-        Outcome& out = ledger_.out;
-        out.max_penetration = std::max(out.max_penetration, resolution.penetration);
-        out.counts.clusters += resolution.clustered ? 1 : 0;
-        out.counts.capped += resolution.capped ? 1 : 0;
-        out.counts.numeric_steps += resolution.numeric_steps;
-        ledger_.take(resolution.taken);
-        for (const Event& event : resolution.events) report(event);
     }
 
     Status limits() { return ledger_.events() < options_.max_events ? Status::reached_end : event_limit(); }
@@ -270,11 +245,11 @@ private:
 
     const std::vector<BodyState>& states_at(const EpochTime& time)
     {
-        states_.resize(state_.flights.size());
+        states_.resize(state_.scene.spheres.size());
         Moment moment(state_, time);
         for (BodyId i = 0; i < state_.count(); ++i) {
             BodyState& state = states_[static_cast<std::size_t>(i)];
-            state.mode = state_.flight(i).mode;
+            state.mode = mode_of(state_.bodies.motion(i));
             const Flight f = moment.flight(i);
             state.position = position_of(state_.frame, f.place);
             state.velocity = f.velocity;
@@ -288,10 +263,12 @@ private:
             now_ = end_;
             show_samples_before(never);
         }
-        for (BodyId i = 0; i < state_.count(); ++i) ledger_.account_for_support(state_, i, now_);
-        Outcome& out = ledger_.out;
         double moving = 0;
-        for (BodyId i = 0; i < state_.count(); ++i) moving += state_.is_fixed(i) ? 0 : 1;
+        for (BodyId i = 0; i < state_.count(); ++i) {
+            ledger_.account_for_motion(state_, i, now_);
+            moving += state_.is_fixed(i) ? 0 : 1;
+        }
+        Outcome& out = ledger_.out;
         out.body_seconds.closed_form =
             moving * state_.frame.seconds(now_) - (out.body_seconds.numeric + out.body_seconds.guarded);
         out.status = status;
@@ -303,8 +280,8 @@ private:
 
     State state_;
     Ledger ledger_;
-    std::vector<BodyId> changed_;  ///< by the present event of a component
-    std::vector<BodyId> hit_;      ///< one that can move for each impact of the present event that loses energy
+    EventOutcome outcome_;     ///< of the present event
+    std::vector<BodyId> hit_;  ///< one that can move for each impact of the present event that loses energy
     const RunOptions& options_;
     const Observer& observer_;
     EpochTime end_, now_;

@@ -1,6 +1,6 @@
 #include "flight/flight.hpp"
 
-#include "math/error_free.hpp"
+#include "flight/tolerances.hpp"
 #include "math/length.hpp"
 
 namespace carom {
@@ -13,7 +13,7 @@ Accelerations::Accelerations(const Scene& scene) : has_gravity_(!scene.gravity.i
     for (const auto& plane : scene.planes) {
         Vec3 along = scene.gravity - scene.gravity.dot(plane.normal) / plane.normal.squaredNorm() * plane.normal;
         // A level floor must not make what rests on it creep at the rounding of its normal.
-        if (length(along) <= 8 * unit_roundoff * g) along = Vec3::Zero();
+        if (length(along) <= level_rounding * g) along = Vec3::Zero();
         table_.push_back(along);
     }
     shared_ = static_cast<AccelerationId>(table_.size());

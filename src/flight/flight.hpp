@@ -44,15 +44,12 @@ private:
     std::vector<Vec3> table_;  ///< [length/time^2]
 };
 
+/// A parabola from its start on.
 struct Flight {
-    EpochTime start;
-    Place place;                   ///< at start
+    EpochTime start{};
+    Place place{};                 ///< at start
     Vec3 velocity = Vec3::Zero();  ///< at start [length/time]
     AccelerationId acceleration = Accelerations::none;
-    /// Plane that carries a series, a slide or a rest; -1 in free flight; several_supports where spheres or several
-    /// planes do, see State::contacts.
-    std::int32_t support = -1;
-    Mode mode = Mode::flying;
 };
 
 /// x(dt) - x(0) = dt (v + a dt/2) [length].

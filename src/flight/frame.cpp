@@ -11,7 +11,7 @@ double power_of_two_below(double x)
 {
     int exponent = 0;
     std::frexp(x, &exponent);
-    return std::ldexp(1.0, std::max(exponent - 1, -1000));
+    return std::ldexp(1.0, std::max(exponent - 1, least_exponent));
 }
 
 EpochTime Frame::in_later_epoch(const EpochTime& from, double dt) const
@@ -49,8 +49,8 @@ Frame make_frame(const Scene& scene)
     const double fall = std::sqrt(2 * length(scene.gravity) * extent);
     const double speed = std::sqrt(twice_energy / m_min) + fall;  // the lightest sphere may end up with all the energy
     const double wanted = speed > 0 ? r_min / speed : scene.end_time;
-    frame.epoch_length = power_of_two_below(std::clamp(wanted, 0x1p-900, 0x1p900));
-    frame.cell_size = 2 * power_of_two_below(2 * std::clamp(r_min, 0x1p-900, 0x1p900));
+    frame.epoch_length = power_of_two_below(std::clamp(wanted, smallest_ruler, largest_ruler));
+    frame.cell_size = 2 * power_of_two_below(2 * std::clamp(r_min, smallest_ruler, largest_ruler));
     return frame;
 }
 

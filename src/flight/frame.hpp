@@ -4,6 +4,8 @@
 /// goes.
 #pragma once
 
+#include "flight/tolerances.hpp"
+
 #include <carom/scene.hpp>
 #include <carom/types.hpp>
 
@@ -13,7 +15,6 @@
 
 namespace carom {
 
-inline constexpr double furthest = 0x1p62;  ///< epochs and cells beyond it do not fit 64 bits
 inline constexpr EpochTime never{std::numeric_limits<std::int64_t>::max(), 0};
 
 struct Frame {
@@ -46,10 +47,11 @@ private:
 /// cells: a little above the smallest diameter. Pure functions of the scene.
 Frame make_frame(const Scene& scene);
 
-/// A place: cell * cell_size + local, 0 <= local < cell_size in each coordinate [length].
+/// A place: cell * cell_size + local + low, 0 <= local < cell_size in each coordinate [length].
 struct Place {
     std::int64_t cell[3] = {0, 0, 0};
     double local[3] = {0, 0, 0};
+    double low[3] = {0, 0, 0};  ///< what `local` lacks, in certified runs of bodies in free flight; else 0
 };
 
 /// Exact, unless a coordinate is beyond 2^62 cells.

@@ -1,11 +1,11 @@
-#include "impact/cluster_problem.hpp"
+#include "contact/contact_problem.hpp"
 #include "impact/operators.hpp"
 
-#include "math/project.hpp"
+#include "projection/project.hpp"
 
 namespace carom {
 
-NormalImpact inelastic(const Cluster& cluster)
+NormalImpact inelastic(const ContactProblem& cluster)
 {
     NormalImpact out;
     out.impulses = project(projection_problem(cluster)).multipliers;

@@ -1,6 +1,12 @@
-#include "impact/jacobi.hpp"
+/// \file
+/// The pair law of all contacts at once, again and again. For teaching: impulses that should share a body's motion add
+/// up instead, so that energy may be gained.
+///
+/// Guarantee: impulses push, momentum is kept, symmetric scenes stay symmetric, and where it ends nothing closes.
+/// Energy is not kept. After 100 + 10 m rounds, or with a million times the energy, the response is the inelastic one.
+#include "impact/operators.hpp"
 
-#include "impact/cluster_problem.hpp"
+#include "contact/contact_problem.hpp"
 
 namespace carom {
 
@@ -8,7 +14,7 @@ namespace {
 constexpr double too_much_energy = 1e6;
 }
 
-NormalImpact jacobi(const Cluster& cluster)
+NormalImpact jacobi(const ContactProblem& cluster)
 {
     ProjectionProblem at = projection_problem(cluster);
     const double eps = closing_tolerance * largest_speed(at.start);

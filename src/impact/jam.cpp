@@ -1,7 +1,7 @@
 #include "impact/jam.hpp"
 
-#include "math/components.hpp"
-#include "math/dual_active_set.hpp"
+#include "projection/components.hpp"
+#include "projection/dual_active_set.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Contacts whose normals leave no way out: a sphere between two parallel planes, a row of them between walls.
 #pragma once
 
-#include "math/half_space.hpp"
+#include "projection/half_space.hpp"
 
 namespace carom {
 

@@ -1,9 +1,9 @@
 /// \file
-/// The impact operators, each in a file of its name. They answer with impulses along the normals; tangential parts come
-/// after them, see resolve_cluster.
+/// The impact operators, each in a file of its name, which says its law, source and guarantee. They answer with
+/// impulses along the normals; tangential parts come after them, see resolve_cluster.
 #pragma once
 
-#include "impact/cluster.hpp"
+#include "contact/contact.hpp"
 
 #include <carom/response.hpp>
 
@@ -13,9 +13,9 @@ namespace carom {
 
 struct NormalImpact {
     std::vector<double> impulses;  ///< by contact, along its normal on a, against it on b [mass length/time]
-    int rounds = 0;
-    bool jammed = false;  ///< `reflections`: a jammed set was found and projected
-    bool capped = false;  ///< the bound on rounds was met: the impulses are the inelastic ones
+    int rounds = 0;                ///< `sequential`, `shock`: impulses; `lcp`: steps of the solver
+    bool jammed = false;           ///< `reflections`: a jammed set was found and projected
+    bool capped = false;           ///< the bound on rounds was met: the impulses are the inelastic ones
     /// `shock`: velocities after, as impulses on lower bodies went into the ground. Empty: those that the impulses
     /// give.
     std::vector<Vec3> velocities;
@@ -23,6 +23,21 @@ struct NormalImpact {
 
 /// All contacts inelastic: the velocities nearest to those before, in the metric of kinetic energy, that close nothing.
 /// Multipliers are the impulses; they need not be unique, the velocities are.
-NormalImpact inelastic(const Cluster& cluster);
+NormalImpact inelastic(const ContactProblem& cluster);
+
+struct ReflectionsOptions {
+    bool jam_test = true;  ///< off, for comparison: jammed clusters then meet the bound on rounds
+};
+NormalImpact reflections(const ContactProblem& cluster, const ReflectionsOptions& options = {});
+
+NormalImpact sequential(const ContactProblem& cluster);
+NormalImpact lcp(const ContactProblem& cluster, const LcpOptions& options);
+NormalImpact jacobi(const ContactProblem& cluster);
+
+/// Impulses of a contact between levels act on the upper body alone.
+NormalImpact shock(const ContactProblem& cluster);
+/// By body: 1 where it touches something immovable, else one more than the lowest neighbour; 1 for bodies that no
+/// contacts join to anything immovable.
+std::vector<int> shock_levels(const ContactProblem& cluster);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 #include "impact/pair_sweeps.hpp"
 
-#include "impact/cluster_problem.hpp"
+#include "contact/contact_problem.hpp"
 
 #include <algorithm>
 
@@ -11,16 +11,16 @@ namespace {
 /// Of the largest speed at the start: what is slower has collapsed.
 constexpr double collapsed = 1e-200;
 
-double speed_of(const ClusterContact& contact, const std::vector<Vec3>& velocities)
+double speed_of(const Contact& contact, const std::vector<Vec3>& velocities)
 {
     const double a = velocities[static_cast<std::size_t>(contact.a)].cwiseAbs().maxCoeff();
-    if (contact.b == immovable) return a;
-    return std::max(a, velocities[static_cast<std::size_t>(contact.b)].cwiseAbs().maxCoeff());
+    if (!contact.b) return a;
+    return std::max(a, velocities[static_cast<std::size_t>(*contact.b)].cwiseAbs().maxCoeff());
 }
 
 }  // namespace
 
-bool sweep_pairs(const Cluster& cluster, std::span<const int> contacts, std::span<const double> inverse_masses,
+bool sweep_pairs(const ContactProblem& cluster, std::span<const int> contacts, std::span<const double> inverse_masses,
                  int most, PairSweeps& state)
 {
     const double least = collapsed * largest_speed(state.velocities);
@@ -28,7 +28,7 @@ bool sweep_pairs(const Cluster& cluster, std::span<const int> contacts, std::spa
         closes = false;
         for (const int index : contacts) {
             const auto i = static_cast<std::size_t>(index);
-            const ClusterContact& contact = cluster.contacts[i];
+            const Contact& contact = cluster.contacts[i];
             const double rate = closing_rate(contact, state.velocities);
             // Against the speeds of now: in a collapse all of them shrink together.
             if (rate >= -closing_tolerance * speed_of(contact, state.velocities)) continue;
@@ -36,11 +36,10 @@ bool sweep_pairs(const Cluster& cluster, std::span<const int> contacts, std::spa
             closes = true;
             const auto a = static_cast<std::size_t>(contact.a);
             const double w_a = inverse_masses[a];
-            const double w_b = contact.b == immovable ? 0 : inverse_masses[static_cast<std::size_t>(contact.b)];
+            const double w_b = contact.b ? inverse_masses[static_cast<std::size_t>(*contact.b)] : 0;
             const double impulse = -(1 + contact.restitution) * rate / (w_a + w_b);
             state.velocities[a] += (w_a * impulse) * contact.normal;
-            if (contact.b != immovable)
-                state.velocities[static_cast<std::size_t>(contact.b)] -= (w_b * impulse) * contact.normal;
+            if (contact.b) state.velocities[static_cast<std::size_t>(*contact.b)] -= (w_b * impulse) * contact.normal;
             state.impulses[i] += impulse;
             ++state.count;
         }

@@ -2,7 +2,7 @@
 /// The pair law, contact after contact, until nothing closes: what `sequential` and `shock` are made of.
 #pragma once
 
-#include "impact/cluster.hpp"
+#include "contact/contact.hpp"
 
 #include <span>
 #include <vector>
@@ -21,7 +21,7 @@ struct PairSweeps {
 /// \param most impulses
 /// \returns whether nothing closes any more. It does not where impulses go on without end, nor where they accumulate
 /// until nothing moves (inelastic collapse).
-bool sweep_pairs(const Cluster& cluster, std::span<const int> contacts, std::span<const double> inverse_masses,
+bool sweep_pairs(const ContactProblem& cluster, std::span<const int> contacts, std::span<const double> inverse_masses,
                  int most, PairSweeps& state);
 
 /// Of impulses in a cluster, for operators that need one for each contact again and again.

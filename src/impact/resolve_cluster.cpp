@@ -1,16 +1,12 @@
 #include "impact/resolve_cluster.hpp"
 
-#include "impact/cluster_problem.hpp"
-#include "impact/jacobi.hpp"
-#include "impact/lcp.hpp"
+#include "contact/contact_problem.hpp"
+#include "impact/operators.hpp"
 #include "impact/pair_law.hpp"
-#include "impact/reflections.hpp"
-#include "impact/sequential.hpp"
-#include "impact/shock.hpp"
 #include "impact/tangential.hpp"
 
 #include "core/expect.hpp"
-#include "math/project.hpp"
+#include "projection/project.hpp"
 
 #include <algorithm>
 
@@ -23,29 +19,29 @@ namespace {
 /// Of the energy before: what rounding may add.
 [[maybe_unused]] constexpr double energy_rounding = 1e-9;
 
-ClusterImpact single_contact(const Cluster& cluster)
+ClusterImpact single_contact(const ContactProblem& cluster)
 {
-    const ClusterContact& contact = cluster.contacts.front();
-    const auto side = [&](int body) {
-        if (body == immovable) return ImpactSide{};
-        const ClusterBody& at = cluster.bodies[static_cast<std::size_t>(body)];
+    const Contact& contact = cluster.contacts.front();
+    const auto side = [&](std::optional<int> body) {
+        if (!body) return ImpactSide{};
+        const ContactBody& at = cluster.bodies[static_cast<std::size_t>(*body)];
         return ImpactSide{at.velocity, at.inverse_mass};
     };
     const PairImpact pair =
         resolve_pair(side(contact.a), side(contact.b), contact.normal, {contact.restitution, contact.tangential, 1});
     ClusterImpact out;
-    for (const ClusterBody& body : cluster.bodies) out.velocities.push_back(body.velocity);
+    for (const ContactBody& body : cluster.bodies) out.velocities.push_back(body.velocity);
     out.velocities[static_cast<std::size_t>(contact.a)] = pair.velocity_a;
-    if (contact.b != immovable) out.velocities[static_cast<std::size_t>(contact.b)] = pair.velocity_b;
+    if (contact.b) out.velocities[static_cast<std::size_t>(*contact.b)] = pair.velocity_b;
     out.impulses = {pair.impulse};
     out.rounds = 1;
     return out;
 }
 
-NormalImpact normal_impact(const Cluster& cluster, const ImpactOptions& options)
+NormalImpact normal_impact(const ContactProblem& cluster, const ImpactOptions& options)
 {
     if (std::all_of(cluster.contacts.begin(), cluster.contacts.end(),
-                    [](const ClusterContact& contact) { return contact.restitution == 0; }))
+                    [](const Contact& contact) { return contact.restitution == 0; }))
         return inelastic(cluster);
     switch (options.impact_operator) {
         case ImpactOperator::sequential:
@@ -62,10 +58,10 @@ NormalImpact normal_impact(const Cluster& cluster, const ImpactOptions& options)
     return reflections(cluster);
 }
 
-void add_tangential(const Cluster& cluster, const std::vector<double>& normal_impulses, ClusterImpact& out)
+void add_tangential(const ContactProblem& cluster, const std::vector<double>& normal_impulses, ClusterImpact& out)
 {
     if (std::all_of(cluster.contacts.begin(), cluster.contacts.end(),
-                    [](const ClusterContact& contact) { return contact.tangential == 1; }))
+                    [](const Contact& contact) { return contact.tangential == 1; }))
         return;
     const std::vector<Vec3> sideways = tangential_impulses(cluster, out.velocities, normal_impulses);
     for (std::size_t i = 0; i < sideways.size(); ++i) out.impulses[i] += sideways[i];
@@ -73,7 +69,7 @@ void add_tangential(const Cluster& cluster, const std::vector<double>& normal_im
 }
 
 /// A last inelastic impact, if some contact still closes.
-void open_all(const Cluster& cluster, ClusterImpact& out)
+void open_all(const ContactProblem& cluster, ClusterImpact& out)
 {
     ProjectionProblem rest = projection_problem(cluster);
     rest.start = out.velocities;
@@ -94,11 +90,11 @@ void open_all(const Cluster& cluster, ClusterImpact& out)
 
 /// A light body between much heavier ones makes contacts that depend on each other to within the ratio: beyond this one
 /// doubles cannot tell, and nothing is promised.
-[[maybe_unused]] bool is_well_scaled(const Cluster& cluster)
+[[maybe_unused]] bool is_well_scaled(const ContactProblem& cluster)
 {
     constexpr double most = 1e12;
     double least = cluster.bodies.front().inverse_mass, largest = least;
-    for (const ClusterBody& body : cluster.bodies) {
+    for (const ContactBody& body : cluster.bodies) {
         least = std::min(least, body.inverse_mass);
         largest = std::max(largest, body.inverse_mass);
     }
@@ -107,7 +103,7 @@ void open_all(const Cluster& cluster, ClusterImpact& out)
 
 }  // namespace
 
-ClusterImpact resolve_cluster(const Cluster& cluster, const ImpactOptions& options)
+ClusterImpact resolve_cluster(const ContactProblem& cluster, const ImpactOptions& options)
 {
     CAROM_EXPECT(!cluster.contacts.empty());
     const std::vector<Vec3> before = velocities_before(cluster);

@@ -2,7 +2,7 @@
 /// Impact of several contacts at once.
 #pragma once
 
-#include "impact/cluster.hpp"
+#include "contact/contact.hpp"
 
 #include <carom/response.hpp>
 
@@ -21,6 +21,6 @@ struct ClusterImpact {
 /// \post (for ratios of masses up to 1e12) no contact closes faster than 1e-9 of the largest speed before; momentum of
 /// bodies away from immovable ones is kept; energy is not gained; impulses push, apart from their tangential parts (for
 /// `reflections`; what the other operators promise stands in their headers)
-ClusterImpact resolve_cluster(const Cluster& cluster, const ImpactOptions& options);
+ClusterImpact resolve_cluster(const ContactProblem& cluster, const ImpactOptions& options);
 
 }  // namespace carom

@@ -1,24 +1,35 @@
-#include "impact/shock.hpp"
+/// \file
+/// Shock propagation: from the ground up, level by level, what lies lower counts as infinitely heavy.
+///
+/// Guendelman, Bridson and Fedkiw, Nonconvex rigid bodies with stacking, ACM Transactions on Graphics 22 (2003),
+/// https://doi.org/10.1145/882262.882358, section 7. Ours: a body's level is its distance from immovable contacts in
+/// the contact graph (the paper's comes from motion under gravity), bodies without any way to them are one level, and
+/// each level runs the pair law in the order of its contacts until nothing closes.
+///
+/// Guarantee: impulses push, and where it ends nothing closes. What a body gives to a lower one goes into the ground:
+/// neither momentum nor energy is kept (a lower body that moves up lifts everything above it with its speed). It need
+/// not end within a level; after 10000 + 100 m impulses the response is the inelastic one.
+#include "impact/operators.hpp"
 
-#include "impact/cluster_problem.hpp"
+#include "contact/contact_problem.hpp"
 #include "impact/pair_sweeps.hpp"
 
 #include <algorithm>
 
 namespace carom {
 
-std::vector<int> shock_levels(const Cluster& cluster)
+std::vector<int> shock_levels(const ContactProblem& cluster)
 {
     std::vector<std::vector<int>> neighbours(cluster.bodies.size());
     std::vector<int> level(cluster.bodies.size(), 0), front;
-    for (const ClusterContact& contact : cluster.contacts) {
+    for (const Contact& contact : cluster.contacts) {
         int& mine = level[static_cast<std::size_t>(contact.a)];
-        if (contact.b == immovable) {
+        if (!contact.b) {
             if (mine == 0) front.push_back(contact.a);
             mine = 1;
         } else {
-            neighbours[static_cast<std::size_t>(contact.a)].push_back(contact.b);
-            neighbours[static_cast<std::size_t>(contact.b)].push_back(contact.a);
+            neighbours[static_cast<std::size_t>(contact.a)].push_back(*contact.b);
+            neighbours[static_cast<std::size_t>(*contact.b)].push_back(contact.a);
         }
     }
     for (std::size_t next = 0; next < front.size(); ++next) {
@@ -33,19 +44,18 @@ std::vector<int> shock_levels(const Cluster& cluster)
     return level;
 }
 
-NormalImpact shock(const Cluster& cluster)
+NormalImpact shock(const ContactProblem& cluster)
 {
     const std::vector<int> level = shock_levels(cluster);
     const std::size_t count = cluster.contacts.size();
     std::vector<std::vector<int>> contacts(static_cast<std::size_t>(*std::max_element(level.begin(), level.end())) + 1);
     for (std::size_t i = 0; i < count; ++i) {
         int upper = level[static_cast<std::size_t>(cluster.contacts[i].a)];
-        if (cluster.contacts[i].b != immovable)
-            upper = std::max(upper, level[static_cast<std::size_t>(cluster.contacts[i].b)]);
+        if (cluster.contacts[i].b) upper = std::max(upper, level[static_cast<std::size_t>(*cluster.contacts[i].b)]);
         contacts[static_cast<std::size_t>(upper)].push_back(static_cast<int>(i));
     }
     std::vector<double> inverse_masses;
-    for (const ClusterBody& body : cluster.bodies) inverse_masses.push_back(body.inverse_mass);
+    for (const ContactBody& body : cluster.bodies) inverse_masses.push_back(body.inverse_mass);
 
     PairSweeps sweeps{velocities_before(cluster), std::vector<double>(count, 0.0), 0};
     NormalImpact out;

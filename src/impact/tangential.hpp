@@ -2,7 +2,7 @@
 /// The tangential factor in clusters: v_t <- alpha v_t of the contacts that got an impulse.
 #pragma once
 
-#include "impact/cluster.hpp"
+#include "contact/contact.hpp"
 
 #include <span>
 #include <vector>
@@ -14,7 +14,7 @@ namespace carom {
 /// contact this is the pair law.
 /// \param impulses by contact, along the normal
 /// \returns by contact, on a
-std::vector<Vec3> tangential_impulses(const Cluster& cluster, const std::vector<Vec3>& velocities,
+std::vector<Vec3> tangential_impulses(const ContactProblem& cluster, const std::vector<Vec3>& velocities,
                                       std::span<const double> impulses);
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "io/limits.hpp"
 #include "io/object_view.hpp"
 
 namespace carom::io {
@@ -50,7 +51,6 @@ std::optional<double> as_number(const Place& place, const Range& range, Problems
 
 std::optional<std::uint64_t> as_integer(const Place& place, std::uint64_t min, std::uint64_t max, Problems& problems)
 {
-    constexpr double largest_exact = 0x1p53;
     const Json& json = *place.value;
     std::uint64_t n = 0;
     bool whole = json.kind == Json::Kind::number;

@@ -1,5 +1,7 @@
 #include "io/columns.hpp"
 
+#include "io/limits.hpp"
+
 #include <carom/error.hpp>
 
 #include <zlib.h>
@@ -14,17 +16,16 @@ namespace {
 enum PlaneMethod : unsigned char { plain = 0, deflated = 1, constant = 2 };
 
 /// Is it worth a try? Noise has every byte equally often: the chance that two bytes agree is then 1/256. Compressible
-/// planes agree at least twice as often.
+/// planes agree more often.
 bool looks_compressible(const Bytes& values)
 {
-    constexpr std::size_t sample = 4096;
     std::array<std::uint32_t, 256> seen{};
-    const std::size_t n = std::min(values.size(), sample);
+    const std::size_t n = std::min(values.size(), compression_sample);
     for (std::size_t i = 0; i < n; ++i) ++seen[values[i]];
     double agreeing = 0;
     for (const std::uint32_t k : seen) agreeing += static_cast<double>(k) * (k - (k > 0));
     const double pairs = static_cast<double>(n) * static_cast<double>(n - 1);
-    return agreeing * 256 > 2 * pairs;
+    return agreeing * static_cast<double>(seen.size()) > compressible_from * pairs;
 }
 
 }  // namespace

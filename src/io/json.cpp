@@ -1,5 +1,7 @@
 #include "io/json.hpp"
 
+#include "io/limits.hpp"
+
 namespace carom::io {
 
 const Json* Json::find(std::string_view key) const
@@ -30,7 +32,6 @@ std::string join(const std::string& parent, std::size_t index)
 
 std::string describe(const Json& value)
 {
-    constexpr std::size_t longest = 40;
     switch (value.kind) {
         case Json::Kind::null:
             return "null";
@@ -39,7 +40,8 @@ std::string describe(const Json& value)
         case Json::Kind::number:
             return "the number " + value.text;
         case Json::Kind::string:
-            return "the string \"" + value.text.substr(0, longest) + (value.text.size() > longest ? "...\"" : "\"");
+            return "the string \"" + value.text.substr(0, longest_quoted) +
+                   (value.text.size() > longest_quoted ? "...\"" : "\"");
         case Json::Kind::array:
             return "a list of " + std::to_string(value.items.size());
         case Json::Kind::object:

@@ -3,13 +3,12 @@
 #include <unordered_set>
 
 #include "io/json.hpp"
+#include "io/limits.hpp"
 #include "io/syntax_error.hpp"
 
 namespace carom::io {
 
 namespace {
-
-constexpr std::size_t deepest = 64;  // a scene needs 6; the bound keeps recursion over the tree safe
 
 /// Builds the tree from the parser's calls.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
@@ -89,8 +88,9 @@ private:
     }
     bool open(Json::Kind kind)
     {
-        if (open_.size() >= deepest) {
-            problems.push_back(file_ + ": nested deeper than " + std::to_string(deepest) + " levels (no scene is)");
+        if (open_.size() >= deepest_json) {
+            problems.push_back(file_ + ": nested deeper than " + std::to_string(deepest_json) +
+                               " levels (no scene is)");
             return false;
         }
         open_.emplace_back();

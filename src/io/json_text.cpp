@@ -1,5 +1,7 @@
 #include "io/json_text.hpp"
 
+#include "io/limits.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -9,8 +11,6 @@
 namespace carom::io {
 
 namespace {
-
-constexpr std::size_t step = 2;  // spaces a level
 
 bool is_plain(char c)
 {
@@ -46,7 +46,7 @@ void append_vector(std::string& text, const Vec3& value, std::size_t indent)
     text += '[';
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) text += ',';
-        append_line(text, indent + step);
+        append_line(text, indent + json_indent);
         append_number(text, value[axis]);
     }
     append_line(text, indent);

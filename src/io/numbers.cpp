@@ -1,6 +1,7 @@
 #include "io/numbers.hpp"
 
 #include "core/expect.hpp"
+#include "io/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +33,6 @@ namespace {
 /// All decimal digits of a finite double >= 0.
 std::string exact_decimal(double value)
 {
-    constexpr int most_fraction_digits = 1074;  // of the smallest subnormal
     std::string text = fmt::format("{:.{}f}", value, most_fraction_digits);
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();

@@ -1,5 +1,7 @@
 #include "io/problems.hpp"
 
+#include "io/limits.hpp"
+
 #include <algorithm>
 #include <carom/error.hpp>
 #include <cctype>
@@ -7,9 +9,6 @@
 namespace carom::io {
 
 namespace {
-
-constexpr std::size_t most_lines = 200;
-constexpr std::size_t most_listed = 30;
 
 std::string lower(std::string_view word)
 {
@@ -38,7 +37,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b)
 void Problems::keep(std::string line)
 {
     ++count_;
-    if (lines_.size() < most_lines) lines_.push_back(std::move(line));
+    if (lines_.size() < most_problems) lines_.push_back(std::move(line));
 }
 
 void Problems::add(const std::string& pointer, const std::string& what)
@@ -62,13 +61,12 @@ void Problems::throw_if_any() const
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates)
 {
-    constexpr std::size_t longest = 64, letters_per_slip = 3;
-    if (word.size() > longest) return "";
+    if (word.size() > longest_compared) return "";
     const std::string wanted = lower(word);
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(1, word.size() / letters_per_slip) + 1;
     for (const auto& candidate : candidates) {
-        if (candidate.size() > longest) continue;
+        if (candidate.size() > longest_compared) continue;
         const std::size_t distance = edit_distance(wanted, lower(candidate));
         if (distance >= best_distance) continue;
         best_distance = distance;

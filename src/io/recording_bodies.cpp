@@ -1,5 +1,6 @@
 #include "io/recording_bodies.hpp"
 
+#include "io/limits.hpp"
 #include "io/scene_json.hpp"
 
 #include <carom/error.hpp>
@@ -149,8 +150,8 @@ bool sound(const RecordedSphere& s)
 
 bool sound(const Plane& p)
 {
-    return p.normal.allFinite() && std::abs(p.normal.squaredNorm() - 1) < 1e-9 && std::isfinite(p.offset) &&
-           (!p.thickness || (*p.thickness >= 0 && std::isfinite(*p.thickness)));
+    return p.normal.allFinite() && std::abs(p.normal.squaredNorm() - 1) < recorded_normal_error &&
+           std::isfinite(p.offset) && (!p.thickness || (*p.thickness >= 0 && std::isfinite(*p.thickness)));
 }
 
 }  // namespace
@@ -164,10 +165,8 @@ const std::vector<std::string>& bodies_kinds()
 
 std::int64_t most_in_row(const std::string& kind)
 {
-    constexpr std::int64_t most_bytes_of_ids = std::int64_t{1} << 30;  // as large as a scene file may be
-    constexpr std::int64_t most_others = 1 << 20;
     if (kind == "spheres") return most_bodies;
-    return kind.ends_with("_ids") ? most_bytes_of_ids : most_others;
+    return kind.ends_with("_ids") ? most_bytes_of_ids : most_written_by_hand;
 }
 
 std::vector<BodiesRow> bodies_rows(const Scene& scene)

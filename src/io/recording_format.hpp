@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/columns.hpp"
+#include "io/limits.hpp"
 
 #include <carom/verify.hpp>
 
@@ -18,10 +19,6 @@ inline constexpr const char* recording_format = "carom-recording/2";
 
 /// The statements that make the tables. The reader compares them letter by letter.
 const std::vector<std::string>& recording_tables();
-
-/// Most rows of a chunk that a reader accepts: what it has to hold at once.
-inline constexpr std::int64_t most_chunk_rows = 1 << 20;
-inline constexpr std::int64_t most_bodies = 1 << 25;
 
 using Meta = std::map<std::string, std::string>;
 /// Keys of the table meta that are there from the beginning, and those that the end of a run adds.

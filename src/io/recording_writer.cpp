@@ -1,5 +1,6 @@
 #include <carom/io.hpp>
 
+#include "io/limits.hpp"
 #include "io/numbers.hpp"
 #include "io/recording_bodies.hpp"
 #include "io/scene_json.hpp"
@@ -15,10 +16,6 @@ namespace carom {
 namespace io {
 
 namespace {
-
-constexpr std::size_t chunk_rows = 16384;  // a MiB or so: what a kill may lose, and what a reader holds
-constexpr auto chunk_time = std::chrono::milliseconds(900);
-constexpr int look_every = 8;
 
 void make_folder_and_remove_old(const std::filesystem::path& file)
 {
@@ -132,7 +129,7 @@ private:
     bool is_time_to_write()
     {
         if (flights_.rows() + events_.rows() >= chunk_rows) return true;
-        if (++looked_ % look_every != 0) return false;
+        if (++looked_ % clock_look_every != 0) return false;
         return Clock::now() - last_write_ >= chunk_time;
     }
 

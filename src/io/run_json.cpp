@@ -1,6 +1,7 @@
 #include "io/run_json.hpp"
 
 #include "io/json_text.hpp"
+#include "io/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -74,7 +75,7 @@ Json pressure_json(const Scene& scene, const RunStudy& run)
 /// What follows is as long as the scene is large: it is written as text.
 void append_rest_times(std::string& text, const Scene& scene, const Outcome& outcome)
 {
-    constexpr std::size_t indent = 2, inner = 4;
+    constexpr std::size_t indent = json_indent, inner = indent + json_indent;
     text += ',';
     append_line(text, indent);
     text += "\"rest_times\": {";
@@ -94,7 +95,7 @@ void append_rest_times(std::string& text, const Scene& scene, const Outcome& out
 
 void append_final(std::string& text, const Scene& scene, const Outcome& outcome)
 {
-    constexpr std::size_t indent = 2, inner = 4, innermost = 6;
+    constexpr std::size_t indent = json_indent, inner = indent + json_indent, innermost = inner + json_indent;
     const bool far = scene.origin != Vec3::Zero();
     const auto member = [&](const char* key) {
         append_line(text, innermost);
@@ -165,7 +166,7 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
     json["wall_seconds"] = run.wall_seconds;
     json["event_hash"] = step == nullptr ? Json(fmt::format("{:016x}", outcome.event_hash)) : Json(nullptr);
     json["pressure"] = pressure_json(scene, run);
-    std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+    std::string text = json.dump(static_cast<int>(json_indent), ' ', false, Json::error_handler_t::replace);
     constexpr std::string_view end = "\n}";
     text.resize(text.size() - end.size());
     append_rest_times(text, scene, outcome);

@@ -2,13 +2,13 @@
 /// The result of one run as JSON, format carom-run/1 (CONTRACT section 4).
 #pragma once
 
+#include "io/limits.hpp"
+
 #include <carom/study.hpp>
 
 #include <string>
 
 namespace carom::io {
-
-inline constexpr std::size_t max_final_spheres = 1000;
 
 struct RunJsonOptions {
     bool always_final = false;  ///< write `final` for more than `max_final_spheres` too

@@ -2,6 +2,7 @@
 #include <unordered_map>
 
 #include "core/text.hpp"
+#include "io/limits.hpp"
 #include "io/scene_draft.hpp"
 
 namespace carom::io {
@@ -70,7 +71,6 @@ private:
         const auto found = bodies_.find(*id);
         if (found != bodies_.end()) return found->second;
         if (!draft_.bodies_complete) return no_body;  // it may be one of those left out
-        constexpr std::size_t most_candidates = 1000;
         std::vector<std::string> known;
         for (const auto& s : draft_.scene.spheres)
             if (known.size() < most_candidates) known.push_back(s.id);

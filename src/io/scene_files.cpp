@@ -6,6 +6,7 @@
 
 #include "core/text.hpp"
 #include "io/json.hpp"
+#include "io/limits.hpp"
 #include "io/problems.hpp"
 
 namespace carom {
@@ -13,8 +14,6 @@ namespace carom {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t most_bytes = std::size_t{1} << 30;  // also ends the reading of a device that never does
 
 std::string read_text(const fs::path& file)
 {
@@ -25,10 +24,10 @@ std::string read_text(const fs::path& file)
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw InputError({name + ": cannot be opened (check its permissions)"});
     std::string text;
-    std::array<char, 1 << 16> chunk;
+    std::array<char, io::read_at_once> chunk;
     while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
         text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
-        if (text.size() > most_bytes)
+        if (text.size() > io::most_scene_bytes)
             throw InputError({name + ": is larger than 1 GiB (use \"fill\" for many spheres)"});
     }
     if (stream.bad()) throw InputError({name + ": cannot be read"});

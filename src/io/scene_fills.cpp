@@ -2,13 +2,12 @@
 #include <iterator>
 
 #include "core/text.hpp"
+#include "io/limits.hpp"
 #include "io/scene_draft.hpp"
 
 namespace carom::io {
 
 namespace {
-
-constexpr std::uint64_t most_spheres = 20'000'000;
 
 RadiusSpec read_radius(ObjectView& view)
 {
@@ -63,14 +62,12 @@ std::size_t read_count(ObjectView& view)
 
 void read_triangle(ObjectView& view, FillSpec& fill)
 {
-    constexpr std::uint64_t most_rows = 6000;
     view.one_of({"rows", "count"}, true);
-    const auto rows = view.integer("rows", 1, most_rows);
+    const auto rows = view.integer("rows", 1, most_triangle_rows);
     const auto count = view.integer("count", 1, most_spheres);
     fill.count = static_cast<std::size_t>(rows ? *rows * (*rows + 1) / 2 : count.value_or(1));
     const auto triangle = read_rows<TrianglePattern>(view);
-    constexpr double least_sine = 1e-6;
-    if (std::sqrt(triangle.axis.head<2>().squaredNorm()) < least_sine)
+    if (std::sqrt(triangle.axis.head<2>().squaredNorm()) < least_axis_sine)
         view.problem("axis", "must not be along z, for the rows lie across axis x z");
     if (!std::holds_alternative<double>(fill.radius))
         view.problem("radius", "must be one number for pattern \"triangle\"");

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "io/limits.hpp"
 #include "io/scene_draft.hpp"
 
 namespace carom::io {
@@ -60,8 +61,7 @@ std::optional<Vec3> read_direction(ObjectView& view, std::string_view key)
         view.problem(key, "must have a direction, is the null vector");
         return {};
     }
-    constexpr double safe = 1e100;  // squares of anything between 1/safe and safe are far from over- and underflow
-    const Vec3 v = largest > safe || largest < 1 / safe ? Vec3(*given / largest) : *given;
+    const Vec3 v = largest > safe_component || largest < 1 / safe_component ? Vec3(*given / largest) : *given;
     return Vec3(v / std::sqrt(v.squaredNorm()));
 }
 

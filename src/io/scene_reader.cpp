@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "io/assign.hpp"
+#include "io/limits.hpp"
 #include "io/scene_draft.hpp"
 
 namespace carom {
@@ -38,7 +39,6 @@ EpochTime read_start_time(ObjectView& root)
         start.offset = as_number(*place, any_number, root.problems()).value_or(0);
         return start;
     }
-    constexpr std::uint64_t most_epochs = std::uint64_t{1} << 53;  // what every reader of JSON keeps exactly
     ObjectView view(*place, root.problems());
     view.require({"epoch"});
     start.epoch = static_cast<std::int64_t>(view.integer("epoch", 0, most_epochs).value_or(0));

@@ -1,5 +1,8 @@
 #include "io/toi_line.hpp"
 
+#include "io/limits.hpp"
+#include "toi/tolerances.hpp"
+
 #include <carom/time_of_impact.hpp>
 
 #include <fmt/format.h>
@@ -21,8 +24,6 @@ struct BadQuery : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-constexpr std::size_t longest_line = 1 << 16;
-
 void expect_object(const json& value, const std::string& where, std::initializer_list<const char*> known)
 {
     if (!value.is_object()) throw BadQuery(where + ": must be an object");
@@ -37,8 +38,7 @@ double number(const json& value, const std::string& where)
 {
     if (!value.is_number()) throw BadQuery(where + ": must be a number");
     const double x = value.get<double>();
-    constexpr double most = 0x1p1000;
-    if (!(std::abs(x) <= most)) throw BadQuery(where + ": must be at most 2^1000 in size");
+    if (!(std::abs(x) <= largest_number)) throw BadQuery(where + ": must be at most 2^1000 in size");
     return x;
 }
 
@@ -79,8 +79,7 @@ Plane plane(const json& value)
     out.normal = vector(needed(value, "n", "plane"), "plane.n");
     const double most = out.normal.cwiseAbs().maxCoeff();
     if (!(most > 0)) throw BadQuery("plane.n: must not be zero");
-    constexpr double to_rounding = 1e-15;
-    if (std::abs(out.normal.squaredNorm() - 1) > to_rounding) {
+    if (std::abs(out.normal.squaredNorm() - 1) > normal_to_rounding) {
         const Vec3 shorter = out.normal / most;
         out.normal = shorter / std::sqrt(shorter.squaredNorm());
     }
@@ -130,7 +129,7 @@ std::string error(const std::string& message)
 
 std::string answer_toi_line(std::string_view line)
 {
-    if (line.size() > longest_line) return error(fmt::format("longer than {} characters", longest_line));
+    if (line.size() > longest_toi_line) return error(fmt::format("longer than {} characters", longest_toi_line));
     try {
         const json query = json::parse(line);
         TimeOfImpact hit = ask(query);

@@ -1,5 +1,7 @@
 #include "math/dyadic.hpp"
 
+#include "math/tolerances.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -67,14 +69,12 @@ std::uint32_t Dyadic::limb_at(std::int64_t place) const
 
 DoubleDouble Dyadic::rounded(int shift) const
 {
-    constexpr int enough = 5;  // limbs: at least 129 bits
     DoubleDouble sum;
-    for (int k = 1; k <= enough; ++k) {
+    for (int k = 1; k <= most_rounded_limbs; ++k) {
         const double part = limb_at(top() - k);
         sum = sum + DoubleDouble(std::ldexp(part, -limb_bits * k));
     }
-    constexpr std::int64_t beyond = 1000000;  // no double is that large or small
-    const auto exponent = static_cast<int>(std::clamp<std::int64_t>(top() * limb_bits + shift, -beyond, beyond));
+    const auto exponent = static_cast<int>(std::clamp(top() * limb_bits + shift, -beyond_doubles, beyond_doubles));
     return {sign_ * std::ldexp(sum.high, exponent), sign_ * std::ldexp(sum.low, exponent)};
 }
 

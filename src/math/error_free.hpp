@@ -4,11 +4,11 @@
 /// ulp by Jeannerod, Louvet, Muller, Math. Comp. 82 (2013).
 #pragma once
 
+#include "math/tolerances.hpp"
+
 #include <cmath>
 
 namespace carom {
-
-inline constexpr double unit_roundoff = 0x1p-53;  ///< u, half an ulp of 1
 
 /// high + low, |low| <= u |high|; exactly what was summed or multiplied unless an exponent overflows or underflows.
 struct Sum {

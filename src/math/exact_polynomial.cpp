@@ -1,5 +1,7 @@
 #include "math/exact_polynomial.hpp"
 
+#include "math/tolerances.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -49,11 +51,9 @@ int ExactPolynomial::sign(const Point& x) const
     if (!x.is_double()) return exact_sign(x.exact());
     double terms = 0;
     for (std::size_t i = rounded_.size(); i-- > 0;) terms = terms * x.value + std::abs(rounded_[i].high);
-    // Each of at most 8 steps multiplies (5 u^2) and adds (3 u^2) what was rounded to 2^-104; the rest is slack. The
-    // second term is for underflow: 2^-1074 each, magnified by at most 2^160.
-    const double error = 0x1p-98 * terms + 0x1p-900;
+    const double error = horner_rounding * terms + horner_underflow;
     const double value = this->value(x.value).high;
-    if (x.value <= 0x1p20 && std::abs(value) > error) return value < 0 ? -1 : 1;
+    if (x.value <= largest_horner_point && std::abs(value) > error) return value < 0 ? -1 : 1;
     return exact_sign(Dyadic(x.value));
 }
 
@@ -149,14 +149,13 @@ double root_guess(const ExactPolynomial& g, const Isolated& where)
     const double unit = std::ldexp(1, g.unit() - rate.unit());
     double low = where.low.value, high = where.high.value, t = high;
     const bool rises = g.sign(where.high) > 0;
-    constexpr int most = 80;
-    for (int i = 0; i < most; ++i) {
+    for (int i = 0; i < most_guess_steps; ++i) {
         const double value = g.value(t).high;
         const bool is_above = !std::isfinite(value) || (value > 0) == rises;
         (is_above ? high : low) = t;
         double next = t - value / rate.value(t).high * unit;
         if (!(next > low && next < high)) next = middle_pattern(low, high);
-        if (std::abs(next - t) <= 0x1p-52 * t) return next;
+        if (std::abs(next - t) <= guess_is_found * t) return next;
         t = next;
     }
     return t;
@@ -176,7 +175,7 @@ Isolated neighbours(const ExactPolynomial& g, const Isolated& where, double gues
     };
     look_at(guess);
     // Around the guess, ever wider, until the root is caught.
-    for (double width = 0x1p-53; width < 0.5 && low < high; width *= 16) {
+    for (double width = first_catch; width < widest_catch && low < high; width *= catch_growth) {
         const double before_low = low, before_high = high;
         look_at(guess * (1 - width));
         look_at(guess * (1 + width));

@@ -2,6 +2,8 @@
 /// The length of a vector whose square may leave the range of doubles.
 #pragma once
 
+#include "math/tolerances.hpp"
+
 #include <carom/types.hpp>
 
 #include <cmath>
@@ -11,9 +13,8 @@ namespace carom {
 /// |a|, the same bits as sqrt(a.a) where no square overflows or underflows.
 inline double length(const Vec3& a)
 {
-    constexpr double small = 0x1p-900, large = 0x1p900;
     const double square = a.squaredNorm();
-    if (square > small && square < large) return std::sqrt(square);
+    if (square > smallest_safe_square && square < largest_safe_square) return std::sqrt(square);
     const double largest = a.cwiseAbs().maxCoeff();
     if (!(largest > 0)) return largest;
     int exponent = 0;

@@ -1,6 +1,7 @@
 #include "report/page_data.hpp"
 
 #include "report/side_view.hpp"
+#include "report/tolerances.hpp"
 #include "study/method_verdict.hpp"
 #include "study/words.hpp"
 
@@ -100,7 +101,6 @@ Json missed_json(const Scene& scene, const Comparison& comparison)
 /// Planes that are seen edge-on, as lines.
 Json planes_json(const Scene& scene, const SideView& view)
 {
-    constexpr double edge_on = 1e-6;
     Json all = Json::array();
     for (const Plane& plane : scene.planes) {
         const int hidden = 3 - view.axes[0] - view.axes[1];
@@ -122,8 +122,7 @@ std::string color_of(const Scene& scene, const Sphere& sphere)
 Json view_json(const Scene& scene, const Comparison& comparison)
 {
     if (scene.spheres.empty() || scene.spheres.size() > max_track_spheres) return nullptr;
-    constexpr std::size_t many = 100;  // from here on half the frames are enough
-    const std::size_t stride = scene.spheres.size() > many ? 2 : 1;
+    const std::size_t stride = scene.spheres.size() > most_with_all_frames ? 2 : 1;
     const SideView view = side_view(scene, comparison);
     static constexpr const char* axis_names[] = {"x", "y", "z"};
     std::vector<double> radius, times;

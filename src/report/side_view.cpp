@@ -1,5 +1,7 @@
 #include "report/side_view.hpp"
 
+#include "report/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -52,7 +54,6 @@ int up_axis(const Scene& scene)
 /// A plane that faces an axis of the view, shown if it is no farther than the scene is wide.
 void include_planes(const Scene& scene, const Vec3& size, Box& box)
 {
-    constexpr double facing = 0.999;
     for (const Plane& plane : scene.planes)
         for (int axis = 0; axis < 3; ++axis) {
             if (std::abs(plane.normal[axis]) < facing) continue;
@@ -89,12 +90,11 @@ SideView side_view(const Scene& scene, const Comparison& comparison)
     const int up = up_axis(scene);
     int across = up == 0 ? 1 : 0;
     for (int axis = 0; axis < 3; ++axis)
-        if (axis != up && size[axis] > size[across] * (1 + 1e-9)) across = axis;
+        if (axis != up && size[axis] > size[across] * longer_across) across = axis;
     view.axes = {across, up};
-    constexpr double margin = 0.03;
     for (std::size_t k = 0; k < 2; ++k) {
         const int axis = view.axes[k];
-        const double pad = margin * (box.max[axis] - box.min[axis]);
+        const double pad = view_margin * (box.max[axis] - box.min[axis]);
         view.min[k] = box.min[axis] - pad;
         view.max[k] = box.max[axis] + pad;
     }
@@ -103,7 +103,6 @@ SideView side_view(const Scene& scene, const Comparison& comparison)
 
 std::string packed_tracks(const SideView& view, const Frames& frames, std::size_t stride)
 {
-    constexpr double full = 65535;
     std::vector<std::uint8_t> bytes;
     for (std::size_t k = 0; k < frames.size(); k += stride)
         for (const auto& x : frames[k])
@@ -113,7 +112,7 @@ std::string packed_tracks(const SideView& view, const Frames& frames, std::size_
                     (view.max[axis] - view.min[axis]);
                 // A state that is not finite is drawn at the edge.
                 const double clamped = part > 0 ? std::min(part, 1.0) : 0.0;
-                const auto word = static_cast<std::uint16_t>(std::lround(full * clamped));
+                const auto word = static_cast<std::uint16_t>(std::lround(track_steps * clamped));
                 bytes.push_back(static_cast<std::uint8_t>(word & 0xffU));
                 bytes.push_back(static_cast<std::uint8_t>(word >> 8U));
             }

@@ -1,6 +1,8 @@
 #include <carom/error.hpp>
 #include <carom/features.hpp>
 
+#include "scene/tolerances.hpp"
+
 #include <array>
 
 namespace carom {
@@ -25,8 +27,7 @@ std::string missing(const Features& kernel, const Features& needed)
 
 BroadPhase automatic_broad_phase(std::size_t spheres)
 {
-    constexpr std::size_t few = 32;  // up to here all pairs cost less than a grid (tests/bench)
-    return spheres <= few ? BroadPhase::all_pairs : BroadPhase::cell_grid;
+    return spheres <= all_pairs_limit ? BroadPhase::all_pairs : BroadPhase::cell_grid;
 }
 
 Features needs(const Scene& scene)

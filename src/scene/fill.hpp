@@ -74,8 +74,4 @@ Filled expand_fill(const FillSpec& fill, const Scene& scene);
 /// Mass of a ball: density 4/3 pi r^3.
 double sphere_mass(double density, double radius);
 
-/// Largest packing fraction (volume of the spheres / volume of the region) that random insertion is asked for. It jams
-/// at 0.38.
-inline constexpr double largest_random_fraction = 0.30;
-
 }  // namespace carom

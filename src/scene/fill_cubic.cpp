@@ -3,6 +3,7 @@
 
 #include "core/text.hpp"
 #include "scene/fill_patterns.hpp"
+#include "scene/tolerances.hpp"
 
 namespace carom {
 
@@ -14,14 +15,13 @@ using Sites = std::array<std::size_t, 3>;
 // several that tie) gets a site more. Ends, for the product grows by one at least.
 Sites lattice(const Vec3& size, std::size_t count)
 {
-    constexpr double tie = 1 - 1e-12;
     Sites n{1, 1, 1};
     while (n[0] * n[1] * n[2] < count) {
         Vec3 next;
         for (int i = 0; i < 3; ++i) next[i] = size[i] / static_cast<double>(n[static_cast<std::size_t>(i)] + 1);
         const double spacing = next.maxCoeff();
         for (int i = 0; i < 3; ++i)
-            if (next[i] >= spacing * tie) ++n[static_cast<std::size_t>(i)];
+            if (next[i] >= spacing * cubic_tie) ++n[static_cast<std::size_t>(i)];
     }
     return n;
 }

@@ -7,16 +7,11 @@
 #include "scene/fill_patterns.hpp"
 #include "scene/pair_gap.hpp"
 #include "scene/sphere_grid.hpp"
+#include "scene/tolerances.hpp"
 
 namespace carom {
 
 namespace {
-
-// Nobody is placed so close that it could pass for a declared contact (1e-9 r).
-constexpr double least_gap = 1e-6;                // of the radius
-constexpr std::size_t most_tries = 1'000'000;     // for one sphere
-constexpr std::size_t most_tries_in_all = 2'000;  // for each sphere, on average; at the limit of 0.30 it takes 200
-constexpr std::size_t tries_to_begin_with = 10'000'000;
 
 /// The spheres placed so far and the bodies that were there before.
 class Crowd {
@@ -31,7 +26,7 @@ public:
 
     bool has_room(const Vec3& centre, double radius) const
     {
-        const double margin = least_gap * radius;
+        const double margin = least_random_gap * radius;
         Sphere candidate;
         candidate.radius = radius;
         for (const auto& plane : scene_.planes)
@@ -100,11 +95,11 @@ Places place(const RandomPattern& pattern, const std::vector<double>& radii, con
     Random random(scene.seed, stream);
     Crowd crowd(scene, radii);
     places.centres.assign(radii.size(), Vec3::Zero());
-    std::size_t tries_left = tries_to_begin_with + most_tries_in_all * radii.size();
+    std::size_t tries_left = first_random_tries + most_mean_random_tries * radii.size();
     std::size_t placed = 0;
     for (const std::size_t k : largest_first(radii)) {
         bool found = false;
-        for (std::size_t t = 0; t < most_tries && tries_left > 0 && !found; ++t, --tries_left) {
+        for (std::size_t t = 0; t < most_random_tries && tries_left > 0 && !found; ++t, --tries_left) {
             places.centres[k] = place_in(region, radii[k], random);
             found = crowd.has_room(places.centres[k], radii[k]);
         }

@@ -4,14 +4,12 @@
 #include "core/text.hpp"
 #include "scene/pair_gap.hpp"
 #include "scene/sphere_grid.hpp"
+#include "scene/tolerances.hpp"
 #include "scene/validate.hpp"
 
 namespace carom {
 
 namespace {
-
-constexpr std::size_t most_lines = 20;
-constexpr std::size_t most_counted = 10'000;  // a pile at one point would have N^2/2 of them
 
 struct Overlap {
     std::size_t a, b;
@@ -30,9 +28,9 @@ std::vector<Overlap> overlapping_spheres(const std::vector<Sphere>& spheres)
         grid.visit_near(s.position, s.radius, [&](std::size_t j) {
             const double gap = sphere_gap(s.position, s.radius, spheres[j].position, spheres[j].radius);
             if (gap < -declared_contact * s.radius) found.push_back({std::min(i, j), std::max(i, j), -gap});
-            return found.size() < most_counted;
+            return found.size() < most_overlaps_counted;
         });
-        if (found.size() >= most_counted) break;
+        if (found.size() >= most_overlaps_counted) break;
         grid.insert(i, s.position, s.radius);
     }
     std::sort(found.begin(), found.end(),
@@ -64,10 +62,9 @@ std::vector<Overlap> overlapping_planes(const Scene& scene)
     return found;
 }
 
-// Rounded up, so that the cure cures.
 std::string enough(double depth)
 {
-    return to_text(depth * 1.001, 4);
+    return to_text(depth * overlap_rounded_up, 4);
 }
 
 std::string depth(double depth)
@@ -114,10 +111,11 @@ std::vector<std::string> find_overlaps(const Scene& scene, bool allow_overlap, c
                             quoted(scene.spheres[o.a].id) + " (" + places.sphere(o.a) + ")" + depth(o.depth) + " (" +
                             cure(o.depth));
     }
-    if (lines.size() > most_lines) {
-        const std::size_t more = lines.size() - most_lines;
-        lines.resize(most_lines);
-        lines.push_back("/spheres: and " + std::string(more >= most_counted - most_lines ? "at least " : "") +
+    if (lines.size() > most_overlaps_named) {
+        const std::size_t more = lines.size() - most_overlaps_named;
+        lines.resize(most_overlaps_named);
+        lines.push_back("/spheres: and " +
+                        std::string(more >= most_overlaps_counted - most_overlaps_named ? "at least " : "") +
                         std::to_string(more) + " more overlaps");
     }
     return lines;

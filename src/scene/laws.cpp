@@ -1,6 +1,7 @@
 #include <carom/scene.hpp>
 
 #include "math/length.hpp"
+#include "scene/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,16 +58,16 @@ RestThresholds rest_thresholds(const Scene& scene)
     const double g = length(scene.gravity);
     RestThresholds t{};
     if (g > 0) {
-        t.closing_speed = std::sqrt(2 * g * 1e-5 * r_min);
+        t.closing_speed = std::sqrt(2 * g * closing_height * r_min);
         t.window = 2 * t.closing_speed / g;
-        t.numeric_step = std::sqrt(r_min / g) / 50;
+        t.numeric_step = std::sqrt(r_min / g) / numeric_steps_a_radius;
     } else {
         const double v_rms = std::sqrt(speed2);
-        t.closing_speed = 1e-6 * v_rms;
-        t.window = v_rms > 0 ? 1e-6 * r_min / v_rms : 0;
-        t.numeric_step = v_rms > 0 ? 0.02 * r_min / v_rms : 0;
+        t.closing_speed = closing_speed_part * v_rms;
+        t.window = v_rms > 0 ? window_part * r_min / v_rms : 0;
+        t.numeric_step = v_rms > 0 ? 1 / numeric_steps_a_radius * r_min / v_rms : 0;
     }
-    t.gap_tolerance = 1e-9 * r_min;
+    t.gap_tolerance = declared_contact * r_min;
     t.closing_speed = scene.rest.closing_speed.value_or(t.closing_speed);
     t.window = scene.rest.window.value_or(t.window);
     t.numeric_step = scene.rest.numeric_step.value_or(t.numeric_step);

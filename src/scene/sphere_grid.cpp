@@ -7,12 +7,11 @@
 #include <numeric>
 
 #include "core/expect.hpp"
+#include "scene/tolerances.hpp"
 
 namespace carom {
 
 namespace {
-
-constexpr std::size_t fewest_buckets = 64;
 
 int binary_exponent(double x)
 {
@@ -20,12 +19,10 @@ int binary_exponent(double x)
     return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> mantissa_bits) & exponent_mask;
 }
 
-// Far out all cells become one, and so do places that are no numbers: slow there, but right, and no integer overflows.
 std::int64_t cell_number(double coordinate)
 {
-    constexpr double farthest = 0x1p60;
-    if (!(coordinate > -farthest)) return static_cast<std::int64_t>(-farthest);
-    if (!(coordinate < farthest)) return static_cast<std::int64_t>(farthest);
+    if (!(coordinate > -farthest_cell_number)) return static_cast<std::int64_t>(-farthest_cell_number);
+    if (!(coordinate < farthest_cell_number)) return static_cast<std::int64_t>(farthest_cell_number);
     const auto truncated = static_cast<std::int64_t>(coordinate);  // (without SSE 4.1 std::floor is a call)
     return truncated - (static_cast<double>(truncated) > coordinate ? 1 : 0);
 }
@@ -33,8 +30,7 @@ std::int64_t cell_number(double coordinate)
 /// 1 / edge: cells are as wide as the largest sphere, or wider where a double has no such number [1/length].
 double cells_per_length(double radius)
 {
-    constexpr double most = 1e300;
-    return std::min(0.5 / radius, most);
+    return std::min(0.5 / radius, most_cells_per_length);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 /// no more than equal ones. Spheres come one after the other.
 #pragma once
 
+#include "scene/tolerances.hpp"
+
 #include <array>
 #include <carom/types.hpp>
 #include <cstddef>
@@ -36,7 +38,7 @@ public:
     void visit_near(const Vec3& position, double radius, Visit&& visit) const
     {
         for (const auto& level : levels_) {
-            const double reach = (radius + level.radius) * (1 + slack);
+            const double reach = (radius + level.radius) * (1 + grid_slack);
             const Cell low = cell_of(level, position.array() - reach);
             const Cell high = cell_of(level, position.array() + reach);
             if (cells_between(low, high) > static_cast<double>(level.entries.size())) {
@@ -67,7 +69,6 @@ private:
         std::vector<Entry> entries;
         std::vector<Index> newest;  ///< by bucket; the number of buckets is a power of two
     };
-    static constexpr double slack = 1e-6;  // covers the rounding of cell numbers
     static constexpr Index none = ~Index{0};
 
     static double cells_between(const Cell& low, const Cell& high);

@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "core/text.hpp"
+#include "scene/tolerances.hpp"
 
 namespace carom {
 
@@ -27,9 +28,6 @@ std::string BodyPlaces::plane(std::size_t p) const
 }
 
 namespace {
-
-constexpr double unit_tolerance = 1e-12;  // of |n|^2; rounding leaves 4e-16
-constexpr double largest_gap = 1e-2;      // of the smallest radius, of what thresholds may take for a contact
 
 class ValueRules {
 public:
@@ -123,7 +121,7 @@ private:
         double radius = std::numeric_limits<double>::infinity();
         for (const Sphere& s : scene_.spheres) radius = std::min(radius, s.radius);
         if (!(radius > 0) || !std::isfinite(radius)) return;
-        const double gap = largest_gap * radius;
+        const double gap = largest_contact_gap * radius;
         rule(!(scene_.rest.gap_tolerance > gap), "/rest/gap_tolerance",
              "must be at most " + to_text(gap) +
                  ", a hundredth of the smallest radius: contacts that are open are not "
@@ -137,8 +135,9 @@ private:
     void impact()
     {
         not_negative("/impact/tie", scene_.impact.tie);
-        rule(!(scene_.impact.tie > largest_gap), "/impact/tie",
-             "must be at most " + to_text(largest_gap) + " of a radius: contacts that are open do not close together");
+        rule(!(scene_.impact.tie > largest_contact_gap), "/impact/tie",
+             "must be at most " + to_text(largest_contact_gap) +
+                 " of a radius: contacts that are open do not close together");
         at_least_one("/impact/sweeps", scene_.impact.lcp.sweeps);
     }
     void guard()
@@ -159,7 +158,7 @@ private:
     }
     void plane(const std::string& place, const Plane& p)
     {
-        rule(std::abs(p.normal.squaredNorm() - 1) <= unit_tolerance, place + "/normal", "must have unit length");
+        rule(std::abs(p.normal.squaredNorm() - 1) <= unit_square_error, place + "/normal", "must have unit length");
         rule(std::isfinite(p.offset), place + "/offset", "must be finite");
         not_negative(place + "/thickness", p.thickness);
         material_index(place + "/material", p.material);
@@ -167,12 +166,11 @@ private:
     /// Contacts whose normals are that close count as dependent: a wedge would be none.
     void wedge(std::size_t p, const Plane& other)
     {
-        constexpr double rounding = 1e-15, narrowest = 2e-7;
         const double angle = scene_.planes[p].normal.cross(other.normal).norm();
-        rule(!(angle > rounding && angle < narrowest), places_.plane(p) + "/normal",
+        rule(!(angle > parallel_rounding && angle < narrowest_wedge), places_.plane(p) + "/normal",
              "is parallel to plane \"" + other.id + "\" to within " + to_text(angle) +
-                 ", but not exactly (take its normal with more digits, or an angle of at least " + to_text(narrowest) +
-                 ")");
+                 ", but not exactly (take its normal with more digits, or an angle of at least " +
+                 to_text(narrowest_wedge) + ")");
     }
     void check(const std::string& place, const Check& c)
     {

@@ -11,6 +11,7 @@
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
 #include "stepping/straight_paths.hpp"
+#include "stepping/tolerances.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -34,8 +35,7 @@ public:
         // Where bounces accumulate within a substep it would not end: beyond this number of responses nothing is
         // foreseen any more. What is known gets one response each, in order of time, and the overlap that is left then
         // is accepted.
-        constexpr std::int64_t most_for_a_scene = 100, most_for_a_sphere = 10;
-        std::int64_t left = most_for_a_scene + most_for_a_sphere * static_cast<std::int64_t>(system.bodies.size());
+        std::int64_t left = most_responses + most_responses_a_sphere * static_cast<std::int64_t>(system.bodies.size());
         while (!queue_.empty()) {
             Pending next = pop();
             settling_ = left <= 0;

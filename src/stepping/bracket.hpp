@@ -2,6 +2,8 @@
 /// Bisection of a bracket: the last moment at which a condition does not yet hold.
 #pragma once
 
+#include "stepping/tolerances.hpp"
+
 #include <cstdint>
 
 namespace carom::stepping {
@@ -12,8 +14,7 @@ namespace carom::stepping {
 template <class Overlaps>
 double bisect(double lo, double hi, Overlaps&& overlaps, std::int64_t& evaluations)
 {
-    constexpr int most = 64;
-    for (int k = 0; k < most; ++k) {
+    for (int k = 0; k < most_halvings; ++k) {
         const double mid = lo + (hi - lo) / 2;
         if (!(mid > lo && mid < hi)) break;
         ++evaluations;

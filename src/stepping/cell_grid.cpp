@@ -1,6 +1,7 @@
 #include "stepping/cell_grid.hpp"
 
 #include "core/expect.hpp"
+#include "stepping/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,17 +10,14 @@ namespace carom::stepping {
 
 namespace {
 
-/// Places further than this many cells from home are handled one by one. Below it the rounding of position / edge
-/// stays under 2.4e-7 of a cell, less than the slack.
-constexpr double farthest_cell = 1 << 30;
-constexpr double slack = 1e-6;
-constexpr std::uint32_t far_away = 0xffffffff, nowhere = 0xfffffffe;  // in place of a cell
-constexpr std::uint32_t fewest_cells = 64;  // with A = 5 the 27 cells around one are still distinct
+// In place of a cell.
+constexpr std::uint32_t nowhere = 0xffffffff;
+constexpr std::uint32_t far_away = nowhere - 1;
 
 std::uint32_t cells_for(std::size_t spheres)
 {
     std::uint32_t cells = fewest_cells;
-    while (cells < 4 * spheres && cells < (1U << 30)) cells *= 2;
+    while (cells < cells_a_sphere * spheres && cells < most_cells) cells *= 2;
     return cells;
 }
 
@@ -43,7 +41,7 @@ std::uint32_t floor_to_cell(double x)
 CellGrid::CellGrid(std::vector<BodyId> members, double largest_radius)
     : members_(std::move(members)),
       largest_radius_(largest_radius),
-      per_cell_(1 / (2 * largest_radius * (1 + slack))),
+      per_cell_(1 / (2 * largest_radius * (1 + cell_slack))),
       mask_(cells_for(members_.size()) - 1),
       stride_y_(odd_cube_root(mask_ + 1)),
       stride_z_(stride_y_ * stride_y_),
@@ -51,7 +49,7 @@ CellGrid::CellGrid(std::vector<BodyId> members, double largest_radius)
       cell_of_entry_(members_.size()),
       cell_of_member_(members_.size())
 {
-    CAROM_EXPECT(members_.size() < (1U << 30));
+    CAROM_EXPECT(members_.size() < most_cells);
     const std::uint32_t y = stride_y_, z = stride_z_;
     // Unsigned wrap-around is the modulo: 2^32 is a multiple of the number of cells.
     rows_ahead_ = {y - 1, z - y - 1, z - 1, z + y - 1};
@@ -70,7 +68,7 @@ bool CellGrid::find_cell(const Vec3& p, std::uint32_t& cell) const
 CellGrid::CellBox CellGrid::cells_within(const Vec3& p, double reach) const
 {
     CellBox box;
-    const double margin = reach * (1 + slack);
+    const double margin = reach * (1 + cell_slack);
     const Vec3 low = (p - home_ - Vec3::Constant(margin)) * per_cell_;
     const Vec3 high = (p - home_ + Vec3::Constant(margin)) * per_cell_;
     // The numbers x + A y + A^2 z of a box are distinct, and so they are modulo M, where they span less than M.

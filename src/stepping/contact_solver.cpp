@@ -1,6 +1,7 @@
 #include "stepping/contact_solver.hpp"
 
 #include "stepping/response.hpp"
+#include "stepping/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,7 @@ namespace carom::stepping {
 
 int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps)
 {
-    constexpr double rounding = 1e-13;  // some hundred units in the last place: what sums of impulses leave
-    double largest = 0;                 // lacking velocity met so far
+    double largest = 0;  // lacking velocity met so far
     for (int sweep = 1; sweep <= sweeps; ++sweep) {
         double change = 0;
         for (ContactRow& row : rows) {
@@ -24,7 +24,7 @@ int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps)
             largest = std::max(largest, lacking);
             change = std::max(change, std::abs(added / mass));
         }
-        if (change <= rounding * largest) return sweep;
+        if (change <= solved_contacts * largest) return sweep;
     }
     return sweeps;
 }

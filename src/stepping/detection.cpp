@@ -1,5 +1,7 @@
 #include "stepping/detection.hpp"
 
+#include <carom/features.hpp>
+
 #include <algorithm>
 
 namespace carom::stepping {
@@ -15,8 +17,7 @@ Detector::Detector(const Scene& scene, BroadPhase broad_phase) : spheres_(static
         fixed_.resize(n);
         fixed_[i] = 1;
     }
-    if (broad_phase == BroadPhase::automatic)
-        broad_phase = n > all_pairs_limit ? BroadPhase::cell_grid : BroadPhase::all_pairs;
+    if (broad_phase == BroadPhase::automatic) broad_phase = automatic_broad_phase(n);
     if (broad_phase == BroadPhase::cell_grid && n > 0) {
         std::vector<double> radius;
         radius.reserve(n);

@@ -13,9 +13,6 @@
 
 namespace carom::stepping {
 
-/// At most this many spheres are tested all against all: below it that is cheaper than a grid.
-inline constexpr std::size_t all_pairs_limit = 32;
-
 class Detector {
 public:
     /// BroadPhase::automatic decides by number of spheres.

@@ -1,5 +1,7 @@
 #include "stepping/driver.hpp"
 
+#include "stepping/tolerances.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -51,9 +53,8 @@ Watch::Watch(const RunOptions& options, const Observer& observer, std::size_t sp
     : options_(options), observer_(observer)
 {
     // Often enough for large scenes, whose substeps take milliseconds; seldom enough for small ones to cost nothing.
-    constexpr std::int64_t longest_period = 64;
-    constexpr std::int64_t spheres_between = 4096;
-    period_ = std::clamp<std::int64_t>(spheres_between / static_cast<std::int64_t>(spheres + 1), 1, longest_period);
+    period_ = std::clamp<std::int64_t>(spheres_between_looks / static_cast<std::int64_t>(spheres + 1), 1,
+                                       longest_watch_period);
 }
 
 Status Watch::ask(double time) const

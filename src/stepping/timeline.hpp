@@ -2,6 +2,8 @@
 /// When steps and substeps begin and end. Every time is computed from its number, so nothing accumulates.
 #pragma once
 
+#include "stepping/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -19,9 +21,7 @@ public:
     /// \pre dt > 0, substeps >= 1, until >= 0.
     Timeline(double until, double dt, int substeps) : until_(until), dt_(dt), substeps_(substeps)
     {
-        // A remainder of 1e-9 of a step is rounding of until / dt, not a step.
-        constexpr double rounding = 1e-9, most = 9e18;
-        const double steps = std::min(until / dt - rounding, most);
+        const double steps = std::min(until / dt - step_remainder, most_steps);
         steps_ = until > 0 ? std::max<std::int64_t>(1, static_cast<std::int64_t>(steps)) : 0;
         if (until > 0 && static_cast<double>(steps_) < steps) ++steps_;
     }

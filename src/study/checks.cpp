@@ -1,6 +1,7 @@
 #include <carom/checks.hpp>
 
 #include "core/text.hpp"
+#include "scene/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -123,9 +124,8 @@ private:
     void conserved(const Check& check)
     {
         if (check.type == "no_overlap") {
-            constexpr double touching = 1e-9;  // of the radius: gaps within it count as contacts
             const double radius = smallest_radius(scene_);
-            judge(check, study().max_penetration, radius, touching * radius);
+            judge(check, study().max_penetration, radius, declared_contact * radius);
             result_.message = "deepest overlap " + to_text(study().max_penetration, 3);
             needs_end(true);
         } else if (check.type == "energy") {

@@ -1,5 +1,7 @@
 #include "study/clock.hpp"
 
+#include "study/tolerances.hpp"
+
 #include <chrono>
 #include <ctime>
 
@@ -9,7 +11,6 @@ double thread_cpu_seconds()
 {
     std::timespec now{};
     if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) return 0;
-    constexpr double nanosecond = 1e-9;
     return static_cast<double>(now.tv_sec) + nanosecond * static_cast<double>(now.tv_nsec);
 }
 

@@ -2,6 +2,7 @@
 #include "reference/reference.hpp"
 #include "study/clock.hpp"
 #include "study/row.hpp"
+#include "study/tolerances.hpp"
 #include "study/words.hpp"
 
 #include <carom/study.hpp>
@@ -39,9 +40,8 @@ std::vector<Method> methods_to_run(const CompareOptions& options)
 /// A guess at the work of a row, for the progress line only.
 double weight(const Method& method, double until)
 {
-    constexpr double event_run_in_steps = 1000;
     const StepOptions* step = step_options(method);
-    return step == nullptr ? event_run_in_steps : until / step->dt * step->substeps * step->passes + 1;
+    return step == nullptr ? study::event_run_in_steps : until / step->dt * step->substeps * step->passes + 1;
 }
 
 std::string label(const Method& method)
@@ -96,10 +96,10 @@ private:
 
 double default_tolerance(const Scene& scene)
 {
-    constexpr double millimetre = 1e-3, smallest = 1e-4, largest = 0.5, of_radius = 1e-2;
+    using namespace study;
     const double radius = smallest_radius(scene);
-    const bool sensible = millimetre >= smallest * radius && millimetre <= largest * radius;
-    return scene.units.length == "m" && sensible ? millimetre : of_radius * radius;
+    const bool sensible = pictured_tolerance >= least_pictured * radius && pictured_tolerance <= most_pictured * radius;
+    return scene.units.length == "m" && sensible ? pictured_tolerance : default_tolerance_part * radius;
 }
 
 Comparison compare_methods(const Scene& scene, const CompareOptions& options)

@@ -1,5 +1,6 @@
 #include "core/expect.hpp"
 #include "study/matching.hpp"
+#include "study/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,9 +60,8 @@ std::vector<double> expand(const ReferenceSeries& series, double shortest_flight
 /// Whether the series ended before its Zeno point.
 bool broken_off(const ReferenceSeries& series)
 {
-    constexpr double rounding = 1e-9;
     const double length = 2 * series.normal_speed / (series.gravity * (1 - series.restitution));
-    return series.end < series.start + length * (1 - rounding);
+    return series.end < series.start + length * (1 - series_rounding);
 }
 
 void add_series(const Reference& reference, double shortest_flight, ExpectedImpacts& expected)
@@ -90,8 +90,8 @@ void add_series(const Reference& reference, double shortest_flight, ExpectedImpa
 bool persists(const Scene& scene, const BodyState& state, std::size_t sphere, const Plane& plane)
 {
     if (state.mode != Mode::sliding && state.mode != Mode::resting) return false;
-    constexpr double closed = 1e-6;  // of a radius: far above rounding, far below anything seen
-    return std::abs(plane_gap(plane, scene.spheres[sphere], state.position)) <= closed * scene.spheres[sphere].radius;
+    return std::abs(plane_gap(plane, scene.spheres[sphere], state.position)) <=
+           lasting_contact * scene.spheres[sphere].radius;
 }
 
 void add_persistent(const Scene& scene, const Reference& reference, ExpectedImpacts& expected)

@@ -1,5 +1,7 @@
 #include "study/matching.hpp"
 
+#include "study/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -75,7 +77,6 @@ MatchResult match_impacts(const ExpectedImpacts& expected, std::span<const Found
     for (const FoundImpact& each : found) by_pair[{each.a, each.b}].first.push_back(each.time);
     for (const FoundImpact& each : rests) by_pair[{each.a, each.b}].second.push_back(each.time);
 
-    constexpr std::size_t rarely = 10 * max_listed_mismatches;  // so that sorting costs each entry little
     MatchResult result;
     const PairImpacts nothing;
     for (auto& [pair, times] : by_pair) {
@@ -90,8 +91,8 @@ MatchResult match_impacts(const ExpectedImpacts& expected, std::span<const Found
         result.invented += static_cast<std::int64_t>(match.invented.size());
         for (const double t : match.missed) result.missed_list.push_back({t, pair.first, pair.second});
         for (const double t : match.invented) result.invented_list.push_back({t, pair.first, pair.second});
-        shorten(result.missed_list, rarely);
-        shorten(result.invented_list, rarely);
+        shorten(result.missed_list, mismatches_between_sorts);
+        shorten(result.invented_list, mismatches_between_sorts);
     }
     shorten(result.missed_list, 0);
     shorten(result.invented_list, 0);

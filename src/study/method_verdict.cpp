@@ -1,5 +1,6 @@
 #include "study/method_verdict.hpp"
 
+#include "study/tolerances.hpp"
 #include "study/words.hpp"
 
 #include <algorithm>
@@ -29,14 +30,12 @@ bool smaller_error(const CompareRow& a, const CompareRow* b)
 /// A range of steps that closes in on what is enough, as an option.
 std::string finer_range(const CompareRow& from, const CompareRow& to)
 {
-    constexpr double near = 2;  // a linear range serves within this factor
-    const std::string rule = *from.dt > near * *to.dt ? "log5" : "lin5";
+    const std::string rule = *from.dt > linear_range_factor * *to.dt ? "log5" : "lin5";
     return "--dt " + step_text(*from.dt) + ":" + step_text(*to.dt) + ":" + rule;
 }
 
 std::string enough_text(const VerdictWords& words, const StepBracket& found, std::size_t tried)
 {
-    constexpr double fine = 1.1;  // a bracket narrower than this is an answer
     const CompareRow& row = *found.enough;
     const std::string within = " within " + words.tolerance();
     std::string text;
@@ -58,7 +57,8 @@ std::string enough_text(const VerdictWords& words, const StepBracket& found, std
         text += ", and it invents " + std::to_string(row.invented_impacts - row.mistimed_impacts);
     if (found.too_far == nullptr) return text;
     text += "; the next larger, " + VerdictWords::setting(*found.too_far) + ", " + words.fault(*found.too_far);
-    if (*found.too_far->dt > fine * *row.dt) text += " (to close in, try " + finer_range(*found.too_far, row) + ")";
+    if (*found.too_far->dt > fine_bracket * *row.dt)
+        text += " (to close in, try " + finer_range(*found.too_far, row) + ")";
     return text;
 }
 

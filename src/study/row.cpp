@@ -5,6 +5,7 @@
 #include "study/deepest_overlap.hpp"
 #include "study/largest.hpp"
 #include "study/matching.hpp"
+#include "study/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,7 @@ namespace carom::study {
 
 double divergence_threshold(const Scene& scene)
 {
-    constexpr double fraction_of_radius = 0.01;
-    return fraction_of_radius * smallest_radius(scene);
+    return divergence * smallest_radius(scene);
 }
 
 namespace {
@@ -23,17 +23,15 @@ namespace {
 /// How far apart the times of one impact may be in two runs.
 double match_width(const RowTask& task)
 {
-    constexpr double steps = 3;
-    if (const StepOptions* step = step_options(task.method)) return steps * step->dt;
+    if (const StepOptions* step = step_options(task.method)) return match_steps * step->dt;
     // The event method has no step: what is not yet diverged may be early or late by its distance over its speed.
     double speed = 0;
     for (const auto& states : task.reference.samples) {
         const std::vector<BodyState> still(states.size());
         speed = std::max(speed, velocity_deviation(states, still).rms);
     }
-    constexpr double of_run = 1e-6;
     const double drift = speed > 0 ? divergence_threshold(task.scene) / speed : 0;
-    return std::max(of_run * task.run.until, drift);
+    return std::max(match_part_of_run * task.run.until, drift);
 }
 
 /// Collects a run as it goes. Sums are over what the reference covers.
@@ -112,7 +110,6 @@ void Recorder::compare(std::size_t k, double time, std::span<const BodyState> st
 
 void Recorder::match(CompareRow& row, const Outcome& outcome)
 {
-    constexpr double shortest_flight_steps = 4;
     const StepOptions* step = step_options(task_.method);
     const ExpectedImpacts expected =
         expected_impacts(task_.scene, task_.reference, step != nullptr ? shortest_flight_steps * step->dt : 0);

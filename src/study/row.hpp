@@ -3,6 +3,7 @@
 #pragma once
 
 #include "reference/reference.hpp"
+#include "study/tolerances.hpp"
 
 #include <carom/study.hpp>
 
@@ -27,8 +28,8 @@ struct RecordedRow {
 RecordedRow record_row(const RowTask& task);
 
 struct TimingOptions {
-    int repeats = 3;
-    double budget = 5;  ///< for all repeats together [s]
+    int repeats = timing_repeats;
+    double budget = timing_budget;  ///< for all repeats together [s]
 };
 
 /// CPU times of unrecorded runs; empty if one alone would take longer than the budget. Short runs are repeated back to

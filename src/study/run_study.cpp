@@ -3,6 +3,7 @@
 #include "study/clock.hpp"
 #include "study/deepest_overlap.hpp"
 #include "study/largest.hpp"
+#include "study/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,8 @@ namespace carom {
 
 std::size_t look_intervals(std::size_t spheres)
 {
-    // A look costs 700 instructions a sphere: this many cost half as much as one second of gas_1000. Where that is not
-    // even one look, a run is looked at when it begins, in its middle and at its end.
-    constexpr std::size_t most_spheres_looked_at = 25'000, fewest = 2;
-    return std::clamp(most_spheres_looked_at / std::max<std::size_t>(spheres, 1), fewest, study_intervals);
+    return std::clamp(study::most_spheres_looked_at / std::max<std::size_t>(spheres, 1), study::fewest_looks,
+                      study_intervals);
 }
 
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options)
@@ -25,9 +24,7 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     const bool event_driven = std::holds_alternative<EventDriven>(method);
     const double until = std::isnan(options.run.until) ? scene.end_time : options.run.until;
 
-    // Looking at a few spheres costs less than reading the clocks.
-    constexpr std::size_t few = 30;
-    const bool dear = scene.spheres.size() > few;
+    const bool dear = scene.spheres.size() > study::few_to_look_at;
     study::DeepestOverlap overlap(scene);
     study::Stopwatch watch;
     double largest_drift = 0, largest_kinetic = kinetic_energy(scene, start), deepest = 0;

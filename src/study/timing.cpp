@@ -1,5 +1,6 @@
 #include "study/clock.hpp"
 #include "study/row.hpp"
+#include "study/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +17,8 @@ double median(std::vector<double> values)
 std::vector<double> time_runs(const RowTask& task, double first_seconds, const TimingOptions& options)
 {
     if (first_seconds > options.budget) return {};
-    constexpr double resolved = 2e-3;  // s: a thousand times the cost of reading the clock
-    constexpr double most_in_a_row = 1000;
-    const double wanted = resolved / std::max(first_seconds, resolved / most_in_a_row);
-    const int batch = static_cast<int>(std::ceil(std::min(std::max(wanted, 1.0), most_in_a_row)));
+    const double wanted = resolved_by_clock / std::max(first_seconds, resolved_by_clock / most_runs_in_a_row);
+    const int batch = static_cast<int>(std::ceil(std::min(std::max(wanted, 1.0), most_runs_in_a_row)));
 
     std::vector<double> times;
     double spent = 0;

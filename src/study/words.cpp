@@ -1,5 +1,7 @@
 #include "study/words.hpp"
 
+#include "study/tolerances.hpp"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -50,28 +52,25 @@ std::string three_digits(double value)
 
 std::string time_text(double time, const std::string& unit)
 {
-    constexpr int digits = 5;
-    return significant(time, digits) + (unit.empty() ? "" : " " + unit);
+    return significant(time, time_digits) + (unit.empty() ? "" : " " + unit);
 }
 
 std::string step_text(double dt)
 {
-    constexpr int digits = 4;
     std::array<char, 32> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, dt);
+    std::snprintf(buffer.data(), buffer.size(), "%.*g", step_digits, dt);
     const bool rounded = std::strtod(buffer.data(), nullptr) != dt;
     // As long as a fraction must be shorter than: what the user typed, if that was a decimal.
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), dt);
     const std::string decimal = short_exponent(std::string(buffer.data(), end.ptr));
     const double steps = std::round(1 / dt);
-    constexpr double most = 1e9, same = 1e-12;  // ranges miss 1/n by a rounding
-    if (steps > 1 && steps <= most && std::abs(1 / steps - dt) <= same * dt) {
+    if (steps > 1 && steps <= largest_denominator && std::abs(1 / steps - dt) <= same_step * dt) {
         std::string fraction = "1/" + std::to_string(static_cast<long long>(steps));
         if (fraction.size() < decimal.size()) return fraction;
     }
     if (!rounded) return decimal;
-    const std::string plain = significant(dt, digits);
-    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, dt);
+    const std::string plain = significant(dt, step_digits);
+    std::snprintf(buffer.data(), buffer.size(), "%.*g", step_digits, dt);
     const auto last = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::strtod(buffer.data(), nullptr),
                                     std::chars_format::scientific);
     const std::string power = short_exponent(std::string(buffer.data(), last.ptr));
@@ -82,9 +81,8 @@ std::string length_text(double value, const std::string& unit)
 {
     if (!std::isfinite(value)) return three_digits(value);
     if (unit != "m") return three_digits(value) + (unit.empty() ? "" : " " + unit);
-    constexpr double smallest_named = 1e-9, in_words_below = 1;
     const double size = std::abs(value);
-    if (size < smallest_named || size >= in_words_below) return three_digits(value) + " m";
+    if (size < smallest_named_length || size >= metres_from) return three_digits(value) + " m";
     constexpr std::array<Prefix, 4> prefixes{
         {{1e-6, 1e-9, " nm"}, {1e-4, 1e-6, " um"}, {1e-2, 1e-3, " mm"}, {1, 1e-2, " cm"}}};
     for (const Prefix& each : prefixes)

@@ -2,6 +2,7 @@
 
 #include "toi/quartic_gap.hpp"
 #include "toi/scaling.hpp"
+#include "toi/tolerances.hpp"
 
 #include <cmath>
 #include <limits>
@@ -191,7 +192,6 @@ Enclosure<double> enclose(const QuarticGap& gap)
 
 Enclosure<double> enclose_accelerated(const ExactMotion& motion)
 {
-    constexpr double too_early = 0x1p-960;
     const int time = natural_time(motion);
     const QuarticGap gap = quartic_gap(motion, time);
     if (root_bound(gap.f) < horizon) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "math/dyadic.hpp"
+#include "toi/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +45,6 @@ struct BoundedNumber {
 };
 using Bounded = BoundedNumber<DoubleDouble>;
 
-/// Beyond this relative error a value is not worth its place in a double-double formula: a time made of three better
-/// ones is within 2^-70, and rounds like the exact one but once in 2^17 cases.
-inline constexpr double sharp_enough = 0x1p-75;
-
 /// \param scale what the error is held against, >= 0
 inline bool is_blunt(const Bounded& x, double scale)
 {
@@ -60,19 +57,18 @@ inline Bounded settled(const Dyadic& exact, int shift)
     Bounded out;
     out.value = exact.rounded(shift);
     out.sign = exact.sign();
-    constexpr double small = 0x1p-960, underflow = 0x1p-1073;
-    out.error = 0x1p-103 * std::abs(out.value.high);
-    if (std::abs(out.value.high) < small) {
+    out.error = rounding_of_exact * std::abs(out.value.high);
+    if (std::abs(out.value.high) < exact_may_underflow) {
         const bool is_exact = shift == 0 && (exact - Dyadic(out.value)).sign() == 0;
-        out.error = is_exact ? 0 : out.error + underflow;
+        out.error = is_exact ? 0 : out.error + smallest_step;
     }
     return out;
 }
 
-/// a (1 + 2^-20): covers the rounding of a bound that is itself computed in double.
+/// A bound that covers its own rounding.
 inline double padded(double a)
 {
-    return a + 0x1p-20 * a;
+    return a + bound_padding * a;
 }
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include "toi/accelerated_enclosure.hpp"
 #include "toi/plane_solver.hpp"
 #include "toi/scene_plane.hpp"
+#include "toi/tolerances.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -86,7 +87,7 @@ CertifiedTime certified_time(const DoubleDouble3& r, const DoubleDouble3& v, Dou
 CertifiedTime certified_time(const ScenePlane& plane)
 {
     const Bounded h = plane.bounded_h(), w = plane.bounded_w(), g = plane.bounded_g();
-    const auto error = [](const Bounded& x) { return x.error + unit_roundoff * std::abs(x.value.high); };
+    const auto error = [](const Bounded& x) { return x.error + low_part * std::abs(x.value.high); };
     const Enclosure<double> quick =
         enclose_plane(h.value.high, w.value.high, g.value.high, {error(h), error(w), error(g)});
     if (quick.decided == Decision::none) return as_time(quick);

@@ -3,6 +3,7 @@
 #include "toi/level_0.hpp"
 #include "toi/level_1.hpp"
 #include "toi/scaling.hpp"
+#include "toi/tolerances.hpp"
 
 #include <limits>
 
@@ -13,7 +14,6 @@ namespace {
 /// What input errors add to the bounds of level 0; the derivation is that of SphereLevel1.
 void widen(SphereQuadratic& q, const Vec3& r, const Vec3& v, double s, const SphereInputError& e)
 {
-    constexpr double u = unit_roundoff;
     const Vec3 rs = r.cwiseAbs(), vs = v.cwiseAbs();
     q.b_error += padded(e.v * rs.sum() + e.r * vs.sum() + 3 * e.r * e.v);
     const double s2_input = 2 * s * e.s + e.s * e.s;
@@ -23,7 +23,7 @@ void widen(SphereQuadratic& q, const Vec3& r, const Vec3& v, double s, const Sph
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, l = (i + 2) % 3;
         const double from_input = e.v * (rs[j] + rs[l]) + e.r * (vs[j] + vs[l]) + 2 * e.r * e.v;
-        input += (2 * cs[i] + 10 * u * products[i] + from_input) * from_input;
+        input += (2 * cs[i] + level_0::cross_rounding * products[i] + from_input) * from_input;
     }
     q.d_error += padded(input);
 }

@@ -7,6 +7,7 @@
 #include "toi/enclosure.hpp"
 #include "toi/exact_signs.hpp"
 #include "toi/scaling.hpp"
+#include "toi/tolerances.hpp"
 
 namespace carom {
 
@@ -96,13 +97,12 @@ Enclosure<DoubleDouble> solve_level_1(const SphereLevel1& q, const Exact& exact_
     // Small values would underflow: a unit of their own for B and the root of D, which are of one order, and for C.
     int b_shift = 0, c_shift = 0;
     if constexpr (Exact::available) {
-        constexpr double small = 0x1p-300;
-        if (approach < small) {
+        if (approach < own_unit_below) {
             b_shift = -exact_values.exponent_of_b();
             b = exact_values.b(b_shift);
             d = exact_values.d(b_shift);
         }
-        if (c.value.high < small) {
+        if (c.value.high < own_unit_below) {
             c_shift = -exact_values.exponent_of_c();
             c = exact_values.c(c_shift);
         }
@@ -111,7 +111,7 @@ Enclosure<DoubleDouble> solve_level_1(const SphereLevel1& q, const Exact& exact_
     out.decided = b.is_negative() && d.is_positive() ? Decision::impact : Decision::ambiguous;
     const DoubleDouble root = sqrt(d.value), denominator = root - b.value;
     const double relative = time_error(b, c, d, root.high, denominator.high);
-    if (out.decided == Decision::impact && c.is_positive() && relative < 0.25) {
+    if (out.decided == Decision::impact && c.is_positive() && relative < quotient_holds_within) {
         out.t = c.value / denominator;
         const DoubleDouble width = out.t * DoubleDouble(relative);
         out.t_lo = out.t - width;

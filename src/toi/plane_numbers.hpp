@@ -5,6 +5,7 @@
 
 #include "toi/bounded.hpp"
 #include "toi/scaling.hpp"
+#include "toi/tolerances.hpp"
 
 #include <limits>
 
@@ -12,9 +13,9 @@ namespace carom {
 
 /// Relative error of one operation, at most.
 template <class Number>
-inline constexpr double operation_error = unit_roundoff;
+inline constexpr double operation_error = double_operation_error;
 template <>
-inline constexpr double operation_error<DoubleDouble> = 10 * unit_roundoff* unit_roundoff;
+inline constexpr double operation_error<DoubleDouble> = double_double_operation_error;
 
 inline double scaled(double x, int exponent)
 {
@@ -77,8 +78,7 @@ PlaneNumbers<Number> plane_numbers(const BoundedNumber<Number>& h, const Bounded
     const auto in_units = [](const BoundedNumber<Number>& x, int shift) {
         BoundedNumber<Number> out = x;
         out.value = scaled(x.value, shift);
-        constexpr double underflow = 0x1p-1070;
-        out.error = std::ldexp(x.error, shift) + underflow;
+        out.error = std::ldexp(x.error, shift) + plane_underflow;
         return out;
     };
     const int own = exponent_of(sizes[2]);
@@ -98,7 +98,7 @@ template <class Number>
 BoundedNumber<Number> plane_discriminant(const PlaneNumbers<Number>& n)
 {
     const double h = std::abs(head(n.h.value)), w = std::abs(head(n.w.value)), g = std::abs(head(n.g.value));
-    const double rounding = 4 * operation_error<Number> * (w * w + 2 * g * h);
+    const double rounding = plane_d_operations * operation_error<Number> * (w * w + 2 * g * h);
     const double input = (2 * w + n.w.error) * n.w.error + 2 * (g * n.h.error + (h + n.h.error) * n.g.error);
     return {difference_with_square(n.h.value, n.w.value, n.g.value), rounding + padded(input)};
 }
@@ -107,7 +107,7 @@ BoundedNumber<Number> plane_discriminant(const PlaneNumbers<Number>& n)
 template <class Number>
 double sum_error(const BoundedNumber<Number>& w, const BoundedNumber<Number>& d, double sum)
 {
-    if (!(head(d.value) >= 4 * d.error) || !(sum > 0)) return 1;
+    if (!(head(d.value) >= quotient_holds_from * d.error) || !(sum > 0)) return 1;
     const double root = std::sqrt(head(d.value));
     return (w.error + (root > 0 ? d.error / root : 0)) / sum;
 }

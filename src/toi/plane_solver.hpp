@@ -6,6 +6,7 @@
 #include "toi/bounded.hpp"
 #include "toi/enclosure.hpp"
 #include "toi/plane_numbers.hpp"
+#include "toi/tolerances.hpp"
 
 #include <limits>
 #include <type_traits>
@@ -55,7 +56,7 @@ private:
 
         const Number root = root_of(d.value), denominator = root - n.w.value;
         const double relative = sum_error(n.w, d, head(denominator)) + n.h.error / std::abs(head(n.h.value));
-        if (arrives && h_.is_positive() && relative < 0.25)
+        if (arrives && h_.is_positive() && relative < quotient_holds_within)
             return within(Number(2) * n.h.value / denominator, relative, n.time);
         const double w = std::abs(head(n.w.value)), h = head(n.h.value);
         return between(2 * std::max(h - n.h.error, 0.0) / (w + n.w.error + upper_root(d)),
@@ -84,7 +85,7 @@ private:
         if (head(n.w.value) > 0) return coming_back(n, d, n.pull.error / head(n.pull.value));
         const Number denominator = root_of(d.value) - n.w.value;
         const double relative = sum_error(n.w, d, head(denominator)) + n.h.error / head(n.h.value);
-        if (relative < 0.25) return within(Number(2) * n.h.value / denominator, relative, n.time);
+        if (relative < quotient_holds_within) return within(Number(2) * n.h.value / denominator, relative, n.time);
         return open();
     }
 
@@ -92,7 +93,8 @@ private:
     {
         const Number sum = n.w.value + root_of(d.value);
         const double relative = sum_error(n.w, d, head(sum)) + pull_relative;
-        if (d.is_positive() && relative < 0.25) return within(sum / n.pull.value, relative, n.pull_time);
+        if (d.is_positive() && relative < quotient_holds_within)
+            return within(sum / n.pull.value, relative, n.pull_time);
         const double w = head(n.w.value), pull = head(n.pull.value);
         return between(std::max(w - n.w.error, 0.0) / (pull + n.pull.error),
                        (w + n.w.error + upper_root(d)) / (pull - n.pull.error), n.pull_time);
@@ -131,7 +133,7 @@ private:
     }
     Enclosure<Number> within(Number t, double relative, int unit)
     {
-        const Number width = t * Number(padded(relative) + 16 * operation_error<Number>);
+        const Number width = t * Number(padded(relative) + plane_time_operations * operation_error<Number>);
         out_.t = scaled(t, unit);
         out_.t_lo = scaled_down(t - width, unit);
         out_.t_hi = scaled_up(t + (width + width), unit);
@@ -139,10 +141,9 @@ private:
     }
     Enclosure<Number> between(double low, double high, int unit)
     {
-        constexpr double slack = 0x1p-40;  // what is rounded on the way, many times over
         out_.t = Number(std::ldexp(low + (high - low) / 2, unit));
-        out_.t_lo = Number(scaled_down(low * (1 - slack), unit));
-        out_.t_hi = Number(scaled_up(high * (1 + slack), unit));
+        out_.t_lo = Number(scaled_down(low * (1 - interval_slack), unit));
+        out_.t_hi = Number(scaled_up(high * (1 + interval_slack), unit));
         return in_range();
     }
     /// A time beyond the range of doubles is none.

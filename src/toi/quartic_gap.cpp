@@ -1,6 +1,7 @@
 #include "toi/quartic_gap.hpp"
 
 #include "toi/scaling.hpp"
+#include "toi/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,18 +47,16 @@ QuarticGap quartic_gap(const ExactMotion& m, int time)
 double root_bound(const ExactPolynomial& p)
 {
     // Twice the largest |c_i / c_n|^(1/(n-i)) (Fujiwara), its exponent rounded up.
-    constexpr int most = 1023;
-    static_assert(horizon == 0x1p1023);
     const auto& c = p.coefficients();
     const int n = p.degree();
-    int exponent = -most;
+    int exponent = -horizon_exponent;
     for (int i = 0; i < n; ++i) {
         const Dyadic& each = c[static_cast<std::size_t>(i)];
         if (each.sign() == 0) continue;
         const int ratio = each.exponent() - c.back().exponent() + 1;
         exponent = std::max(exponent, static_cast<int>(std::ceil(static_cast<double>(ratio) / (n - i))));
     }
-    return std::ldexp(1, std::min(exponent + 2, most));
+    return std::ldexp(1, std::min(exponent + 2, horizon_exponent));
 }
 
 }  // namespace carom

@@ -18,9 +18,6 @@ int natural_time(const ExactMotion& m);
 /// \param time exponent of the unit of time
 QuarticGap quartic_gap(const ExactMotion& m, int time);
 
-/// The last time that is looked at: beyond it times would leave the range of doubles.
-inline constexpr double horizon = 0x1p1023;
-
 /// A double beyond every positive root, or the horizon if there is none.
 double root_bound(const ExactPolynomial& p);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "math/double_double.hpp"
+#include "toi/tolerances.hpp"
 
 #include <carom/types.hpp>
 
@@ -14,7 +15,7 @@ namespace carom {
 /// Products of four such factors, and their rounding errors, neither overflow nor lose bits.
 inline bool is_moderate(double x)
 {
-    return x > 0x1p-100 && x < 0x1p100;
+    return x > smallest_moderate && x < largest_moderate;
 }
 
 inline int exponent_of(double x)
@@ -46,31 +47,28 @@ inline DoubleDouble3 scaled(const DoubleDouble3& a, int exponent)
     return {scaled(a.x, exponent), scaled(a.y, exponent), scaled(a.z, exponent)};
 }
 
-/// What a double that scales into the subnormal range may lose, on either side of it.
-inline constexpr double smallest_step = 0x1p-1073;
-
 /// The ends of an interval in another unit: still its ends where they become subnormal.
 inline double scaled_down(double low, int exponent)
 {
     const double t = std::ldexp(low, exponent);
-    return t < 0x1p-1000 ? std::max(t - smallest_step, 0.0) : t;
+    return t < scales_exactly ? std::max(t - smallest_step, 0.0) : t;
 }
 inline double scaled_up(double high, int exponent)
 {
     const double t = std::ldexp(high, exponent);
-    return t < 0x1p-1000 ? t + smallest_step : t;
+    return t < scales_exactly ? t + smallest_step : t;
 }
 inline DoubleDouble scaled_down(DoubleDouble low, int exponent)
 {
     const DoubleDouble t = scaled(low, exponent);
-    if (!(t.high < 0x1p-900)) return t;
+    if (!(t.high < double_double_scales_exactly)) return t;
     const DoubleDouble less = t - DoubleDouble(smallest_step);
     return less.high > 0 ? less : DoubleDouble(0);
 }
 inline DoubleDouble scaled_up(DoubleDouble high, int exponent)
 {
     const DoubleDouble t = scaled(high, exponent);
-    return t.high < 0x1p-900 ? t + DoubleDouble(smallest_step) : t;
+    return t.high < double_double_scales_exactly ? t + DoubleDouble(smallest_step) : t;
 }
 
 inline DoubleDouble3 exactly(const Vec3& a)

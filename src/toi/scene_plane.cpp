@@ -1,14 +1,13 @@
 #include "toi/scene_plane.hpp"
 
 #include "toi/scaling.hpp"
+#include "toi/tolerances.hpp"
 
 namespace carom {
 
 namespace {
 
-constexpr double u2 = unit_roundoff * unit_roundoff;
-
-/// n.x less some numbers. Products are exact but for underflow; each of at most five sums is within 3 u^2.
+/// n.x less some numbers.
 Bounded bounded_dot(const Vec3& n, const Vec3& x, const double* less, int count)
 {
     DoubleDouble sum;
@@ -23,8 +22,7 @@ Bounded bounded_dot(const Vec3& n, const Vec3& x, const double* less, int count)
         terms += std::abs(less[k]);
     }
     if (terms == 0 && n.cwiseProduct(x).isZero(0) && (n.isZero(0) || x.isZero(0))) return {sum, 0};
-    constexpr double underflow = 0x1p-1070;
-    return {sum, 24 * u2 * terms + underflow};
+    return {sum, plane_dot_rounding * terms + plane_underflow};
 }
 
 Dyadic exact_dot(const Vec3& n, const Vec3& x)

@@ -5,6 +5,7 @@
 
 #include "math/error_free.hpp"
 #include "toi/root.hpp"
+#include "toi/tolerances.hpp"
 
 #include <cmath>
 #include <limits>
@@ -47,7 +48,7 @@ inline Root moderate_plane_root(double h, double w, double g)
 /// Neither square under the root leaves the range of doubles.
 inline bool is_moderate(double h, double w, double g)
 {
-    constexpr double large = 0x1p200, small = 0x1p-200;
+    constexpr double large = largest_plane_number, small = smallest_plane_number;
     if (!(std::abs(h) < large && std::abs(w) < large && std::abs(g) < large)) return false;
     return std::abs(w) > small || std::abs(g * h) > small * small || g == 0 || h == 0;
 }

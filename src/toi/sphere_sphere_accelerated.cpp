@@ -2,6 +2,7 @@
 
 #include "math/double_double.hpp"
 #include "toi/sphere_sphere.hpp"
+#include "toi/tolerances.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -12,7 +13,6 @@ namespace carom {
 
 namespace {
 
-constexpr double u = unit_roundoff;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// F = |p|^2 - S^2 and H = F'/2 at double times, signs right even where double arithmetic cannot tell.
@@ -26,7 +26,7 @@ public:
         const double p2 = p.squaredNorm(), s2 = m_.contact_distance * m_.contact_distance;
         const double value = p2 - s2;
         const double reach = length_scale(t);
-        if (std::abs(value) > 16 * u * (p2 + s2 + reach * std::sqrt(p2))) return value;
+        if (std::abs(value) > gap_rounding * (p2 + s2 + reach * std::sqrt(p2))) return value;
         const DoubleDouble3 exact = exact_position(t);
         const DoubleDouble s = m_.contact_distance;
         const DoubleDouble difference = dot(exact, exact) - s * s;
@@ -38,7 +38,7 @@ public:
         const Vec3 p = position(t), w = m_.v + t * m_.a;
         const double value = p.dot(w);
         const double speed = std::sqrt(m_.v.squaredNorm()) + t * std::sqrt(m_.a.squaredNorm());
-        if (std::abs(value) > 16 * u * length_scale(t) * speed) return value;
+        if (std::abs(value) > gap_rate_rounding * length_scale(t) * speed) return value;
         const DoubleDouble3 exact_w = lift(m_.v) + DoubleDouble(t) * lift(m_.a);
         return dot(exact_position(t), exact_w).high;
     }
@@ -69,9 +69,9 @@ private:
 /// Between two positive doubles, halfway through their bit patterns: 64 halvings exhaust any bracket.
 double middle(double low, double high)
 {
-    if (high < 8 * low || low == 0) {
+    if (high < mean_is_middle * low || low == 0) {
         const double mean = low + (high - low) / 2;
-        if (low > 0 || high < 1e-300) return mean;
+        if (low > 0 || high < mean_from_zero) return mean;
     }
     const auto a = std::bit_cast<std::int64_t>(low), b = std::bit_cast<std::int64_t>(high);
     return std::bit_cast<double>(a + (b - a) / 2);
@@ -84,7 +84,7 @@ double refine(const Function& function, const Rate& rate, double low, double hig
 {
     double t = middle(low, high);
     double bracket = high - low;
-    for (int i = 0; i < 200 && t > low && t < high; ++i) {
+    for (int i = 0; i < most_refinements && t > low && t < high; ++i) {
         const double value = function(t);
         if ((value < 0) == negative_at_high || value == 0)
             high = t;
@@ -106,7 +106,7 @@ double time_of_growth(const GapFunction& gap, const AcceleratedMotion& m, double
 {
     const double a = std::sqrt(m.a.squaredNorm());
     double step = std::sqrt(std::sqrt(m.r.squaredNorm()) / a) + std::sqrt(m.v.squaredNorm()) / a;
-    for (double t = from + step; t < 0x1p900; step *= 2, t += step)
+    for (double t = from + step; t < latest_growth; step *= 2, t += step)
         if (gap.h(t) >= 0) return t;
     return infinity;
 }

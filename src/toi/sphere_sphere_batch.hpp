@@ -3,14 +3,13 @@
 #pragma once
 
 #include "toi/level_0.hpp"
+#include "toi/tolerances.hpp"
 
 #include <carom/time_of_impact.hpp>
 
 #include <cstddef>
 
 namespace carom {
-
-inline constexpr std::size_t batch_block = 128;
 
 /// Inputs of one block, and what level 0 says; the status is `touching` where it is for another level to say.
 struct BatchBlock {

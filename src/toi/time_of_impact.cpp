@@ -6,6 +6,7 @@
 #include "toi/certified_time.hpp"
 #include "toi/scaling.hpp"
 #include "toi/scene_plane.hpp"
+#include "toi/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@
 namespace carom {
 
 namespace {
-
-constexpr double largest_number = 0x1p1000;
 
 bool in_range(const Vec3& a)
 {
@@ -51,19 +50,17 @@ Vec3 direction(const DoubleDouble3& x)
 bool has_digits(const DoubleDouble3& x, DoubleDouble contact_distance)
 {
     const Vec3 in_contact_distances = Vec3(x.x.high, x.y.high, x.z.high) / contact_distance.high;
-    return in_contact_distances.squaredNorm() < 1.5;
+    return in_contact_distances.squaredNorm() < has_contact_digits;
 }
 
 /// All by one power of two, which leaves the time as it is: products of small numbers must not underflow.
 ScenePlane scaled_up(ScenePlane p)
 {
-    constexpr double small = 0x1p-300;
-    constexpr int shift = 500;
     const double most = std::max({largest(p.position), largest(p.velocity), largest(p.acceleration), std::abs(p.offset),
                                   p.half_thickness, p.radius});
-    if (most >= small) return p;
-    for (double* x : {&p.offset, &p.half_thickness, &p.radius}) *x = std::ldexp(*x, shift);
-    for (Vec3* x : {&p.position, &p.velocity, &p.acceleration}) *x = scaled(*x, shift);
+    if (most >= own_unit_below) return p;
+    for (double* x : {&p.offset, &p.half_thickness, &p.radius}) *x = std::ldexp(*x, small_query_shift);
+    for (Vec3* x : {&p.position, &p.velocity, &p.acceleration}) *x = scaled(*x, small_query_shift);
     return p;
 }
 

@@ -8,6 +8,7 @@
 #include "toi/level_0.hpp"
 #include "toi/scaling.hpp"
 #include "toi/sphere_sphere_batch.hpp"
+#include "toi/tolerances.hpp"
 
 #include <algorithm>
 
@@ -18,8 +19,8 @@ namespace {
 /// Whatever level 0 cannot tell, and lengths that are to be scaled.
 ImpactTime slow_time_of_impact(const Vec3& r, const Vec3& v, double s)
 {
-    constexpr double most = 0x1p1000;
-    if (!(largest(r) <= most && largest(v) <= most && s > 0 && s <= most) || !r.allFinite() || !v.allFinite())
+    if (!(largest(r) <= largest_number && largest(v) <= largest_number && s > 0 && s <= largest_number) ||
+        !r.allFinite() || !v.allFinite())
         return {};
     const CertifiedTime time = certified_time(exactly(r), exactly(v), DoubleDouble(s));
     return {time.status, time.t, time.t_lo, time.t_hi};

@@ -2,13 +2,9 @@
 /// The table of impact operators, measured: what each does to the clusters of the literature and to random ones.
 /// Usage: carom_operator_table [SETS]; SETS random clusters (default 2000) for the operators, and as many for the
 /// promises of `reflections`, mass ratios up to 1e6. Exit 1: a promise was broken.
-#include "impact/cluster_problem.hpp"
-#include "impact/contact_forces.hpp"
-#include "impact/jacobi.hpp"
-#include "impact/lcp.hpp"
-#include "impact/reflections.hpp"
-#include "impact/sequential.hpp"
-#include "impact/shock.hpp"
+#include "contact/contact_forces.hpp"
+#include "contact/contact_problem.hpp"
+#include "impact/operators.hpp"
 
 #include "support/clusters.hpp"
 
@@ -24,7 +20,7 @@ namespace {
 
 struct Operator {
     const char* name;
-    std::function<NormalImpact(const Cluster&)> resolve;
+    std::function<NormalImpact(const ContactProblem&)> resolve;
 };
 
 std::vector<Operator> operators()
@@ -32,24 +28,24 @@ std::vector<Operator> operators()
     return {{"sequential", sequential},
             {"jacobi", jacobi},
             {"lcp Newton",
-             [](const Cluster& c) {
+             [](const ContactProblem& c) {
                  return lcp(c, {LcpLaw::newton, LcpSolver::exact, 1});
              }},
             {"lcp Newton, 100 sweeps",
-             [](const Cluster& c) {
+             [](const ContactProblem& c) {
                  return lcp(c, {LcpLaw::newton, LcpSolver::gauss_seidel, 100});
              }},
             {"lcp Poisson",
-             [](const Cluster& c) {
+             [](const ContactProblem& c) {
                  return lcp(c, {LcpLaw::poisson, LcpSolver::exact, 1});
              }},
-            {"reflections, no jam test", [](const Cluster& c) { return reflections(c, {false}); }},
-            {"reflections", [](const Cluster& c) { return reflections(c); }},
+            {"reflections, no jam test", [](const ContactProblem& c) { return reflections(c, {false}); }},
+            {"reflections", [](const ContactProblem& c) { return reflections(c); }},
             {"shock", shock}};
 }
 
 /// What the operator itself answers, without the last inelastic impact of resolve_cluster.
-ClusterImpact raw(const Operator& which, const Cluster& cluster)
+ClusterImpact raw(const Operator& which, const ContactProblem& cluster)
 {
     const NormalImpact normal = which.resolve(cluster);
     ClusterImpact out;
@@ -94,14 +90,14 @@ double largest_energy(const Operator& which, int sets, bool mixed)
     options.share_jammed = 0;
     double out = 0;
     for (int k = 0; k < sets; ++k) {
-        Cluster cluster = random_cluster(random, options);
-        for (ClusterContact& contact : cluster.contacts) contact.restitution = mixed ? random.uniform() : 1;
+        ContactProblem cluster = random_cluster(random, options);
+        for (Contact& contact : cluster.contacts) contact.restitution = mixed ? random.uniform() : 1;
         out = std::max(out, 1 + debts(cluster, raw(which, cluster)).energy);
     }
     return out;
 }
 
-const char* answer(const Operator& which, const Cluster& cluster)
+const char* answer(const Operator& which, const ContactProblem& cluster)
 {
     const ClusterImpact impact = raw(which, cluster);
     if (impact.capped) return "capped";
@@ -109,9 +105,9 @@ const char* answer(const Operator& which, const Cluster& cluster)
 }
 
 /// Three balls that fill the way between two walls, the middle one hit from the side.
-Cluster jammed()
+ContactProblem jammed()
 {
-    Cluster out = row({1, 1, 1}, {0.5, 0, 0});
+    ContactProblem out = row({1, 1, 1}, {0.5, 0, 0});
     out.contacts.push_back({0, immovable, Vec3(1, 0, 0), 1, 1});
     out.contacts.push_back({2, immovable, Vec3(-1, 0, 0), 1, 1});
     out.bodies.push_back({Vec3(0, -1, 0), 1});
@@ -142,7 +138,7 @@ bool print_promises(int sets)
     int failures = 0, capped = 0, jams = 0, most_rounds = 0;
     const auto begin = std::chrono::steady_clock::now();
     for (int k = 0; k < sets; ++k) {
-        const Cluster cluster = random_cluster(random, {});
+        const ContactProblem cluster = random_cluster(random, {});
         const ClusterImpact impact = resolve_cluster(cluster, {});
         const Debts owed = debts(cluster, impact);
         worst.closing = std::max(worst.closing, owed.closing);
@@ -172,17 +168,17 @@ void print_pile()
         work();
         return 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     };
-    Cluster cluster = pile(10, 10);
+    ContactProblem cluster = pile(10, 10);
     const std::vector<double> curvature(cluster.contacts.size(), 0.0);
-    for (ClusterBody& body : cluster.bodies) body.velocity = Vec3(0, 0, -9.81);
+    for (ContactBody& body : cluster.bodies) body.velocity = Vec3(0, 0, -9.81);
     ContactForces forces;
     const double cold = milliseconds([&] { forces = solve_contact_forces(cluster, curvature); });
     const double warm = milliseconds([&] { forces = solve_contact_forces(cluster, curvature, forces.forces); });
-    for (ClusterBody& body : cluster.bodies) body.velocity = Vec3::Zero();
+    for (ContactBody& body : cluster.bodies) body.velocity = Vec3::Zero();
     cluster.bodies.back().velocity = Vec3(0.1, 0.2, -1);
     ClusterImpact impact;
     const double elastic = milliseconds([&] { impact = resolve_cluster(cluster, {}); });
-    for (ClusterContact& contact : cluster.contacts) contact.restitution = 0.5;
+    for (Contact& contact : cluster.contacts) contact.restitution = 0.5;
     const double inelastic_hit = milliseconds([&] { resolve_cluster(cluster, {}); });
     std::printf(
         "\npile of %zu spheres, %zu contacts: forces %.0f ms, again from these %.1f ms; hit, e = 1: %.0f ms in %d "

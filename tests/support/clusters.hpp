@@ -14,9 +14,9 @@
 namespace carom::test {
 
 /// Bodies on the x axis, each touching the next.
-inline Cluster row(const std::vector<double>& masses, const std::vector<double>& speeds, double e = 1)
+inline ContactProblem row(const std::vector<double>& masses, const std::vector<double>& speeds, double e = 1)
 {
-    Cluster out;
+    ContactProblem out;
     for (std::size_t i = 0; i < masses.size(); ++i) {
         out.bodies.push_back({Vec3(speeds[i], 0, 0), 1 / masses[i]});
         if (i > 0) out.contacts.push_back({static_cast<int>(i) - 1, static_cast<int>(i), Vec3(-1, 0, 0), e, 1});
@@ -25,7 +25,7 @@ inline Cluster row(const std::vector<double>& masses, const std::vector<double>&
 }
 
 /// Five equal balls, the first k come in at speed 1.
-inline Cluster cradle(int k, double e = 1)
+inline ContactProblem cradle(int k, double e = 1)
 {
     std::vector<double> speeds(5, 0.0);
     for (int i = 0; i < k; ++i) speeds[static_cast<std::size_t>(i)] = 1;
@@ -33,10 +33,10 @@ inline Cluster cradle(int k, double e = 1)
 }
 
 /// A ball at speed 1 hits two touching ones symmetrically.
-inline Cluster bernoulli(double e)
+inline ContactProblem bernoulli(double e)
 {
     const double half_root_3 = std::sqrt(3.0) / 2;
-    Cluster out;
+    ContactProblem out;
     out.bodies = {{Vec3(1, 0, 0), 1}, {Vec3::Zero(), 1}, {Vec3::Zero(), 1}};
     out.contacts = {{0, 1, Vec3(-half_root_3, -0.5, 0), e, 1},
                     {0, 2, Vec3(-half_root_3, 0.5, 0), e, 1},
@@ -45,9 +45,9 @@ inline Cluster bernoulli(double e)
 }
 
 /// Equal discs at places of the plane, of diameter 1, all at rest; those that touch are in contact.
-inline Cluster discs(const std::vector<Vec3>& places)
+inline ContactProblem discs(const std::vector<Vec3>& places)
 {
-    Cluster out;
+    ContactProblem out;
     for (std::size_t i = 0; i < places.size(); ++i) {
         out.bodies.push_back({Vec3::Zero(), 1});
         for (std::size_t j = 0; j < i; ++j) {
@@ -60,49 +60,49 @@ inline Cluster discs(const std::vector<Vec3>& places)
 }
 
 /// Fifteen in a triangle and the cue ball on its axis, which comes in at speed 1; the cue is body 0. Ball (row, place).
-inline Cluster rack_of_15()
+inline ContactProblem rack_of_15()
 {
     std::vector<Vec3> places{Vec3(-1, 0, 0)};
     for (int r = 0; r < 5; ++r)
         for (int k = 0; k <= r; ++k) places.emplace_back(r * std::sqrt(3.0) / 2, k - r / 2.0, 0);
-    Cluster out = discs(places);
+    ContactProblem out = discs(places);
     out.bodies.front().velocity = Vec3(1, 0, 0);
     return out;
 }
 
 /// n balls at rest on a floor, one on the other, and one that comes down at speed 1.
-inline Cluster hit_tower(int n)
+inline ContactProblem hit_tower(int n)
 {
-    Cluster out;
+    ContactProblem out;
     for (int i = 0; i <= n; ++i) {
         out.bodies.push_back({Vec3(0, 0, i == n ? -1 : 0), 1});
-        out.contacts.push_back({i, i - 1, Vec3(0, 0, 1), 1, 1});
+        out.contacts.push_back({i, i == 0 ? immovable : std::optional(i - 1), Vec3(0, 0, 1), 1, 1});
     }
     return out;
 }
 
 /// A ball of mass 1 onto one of mass 2 that rests on the floor.
-inline Cluster onto_resting()
+inline ContactProblem onto_resting()
 {
-    Cluster out;
+    ContactProblem out;
     out.bodies = {{Vec3(0, 0, -1), 1}, {Vec3::Zero(), 0.5}};
     out.contacts = {{0, 1, Vec3(0, 0, 1), 1, 1}, {1, immovable, Vec3(0, 0, 1), 1, 1}};
     return out;
 }
 
 /// A sphere that touches two planes of interior angle `angle` [rad], given by its half's sine and cosine.
-inline Cluster wedge(double cosine, double sine, const Vec3& velocity)
+inline ContactProblem wedge(double cosine, double sine, const Vec3& velocity)
 {
-    Cluster out;
+    ContactProblem out;
     out.bodies = {{velocity, 1}};
     out.contacts = {{0, immovable, Vec3(cosine, sine, 0), 1, 1}, {0, immovable, Vec3(-cosine, sine, 0), 1, 1}};
     return out;
 }
 
 /// A sphere between two parallel planes that touch it, moving slantwise.
-inline Cluster pinched()
+inline ContactProblem pinched()
 {
-    Cluster out;
+    ContactProblem out;
     out.bodies = {{Vec3(1, 0.5, 0), 1}};
     out.contacts = {{0, immovable, Vec3(1, 0, 0), 1, 1}, {0, immovable, Vec3(-1, 0, 0), 1, 1}};
     return out;
@@ -110,12 +110,12 @@ inline Cluster pinched()
 
 /// Equal spheres in a box, side x side in a layer, each on three of the four below it, normals a little off the
 /// lattice's: some three contacts a sphere, like a settled pile.
-inline Cluster pile(int side, int layers)
+inline ContactProblem pile(int side, int layers)
 {
     constexpr double disorder = 0.1;
     carom::Random random(3);
     const double layer_height = std::sqrt(0.5);
-    Cluster out;
+    ContactProblem out;
     std::vector<Vec3> places;
     for (int z = 0; z < layers; ++z)
         for (int y = 0; y < side; ++y)
@@ -123,7 +123,9 @@ inline Cluster pile(int side, int layers)
                 places.emplace_back(x + (z % 2) * 0.5, y + (z % 2) * 0.5, z * layer_height);
                 out.bodies.push_back({Vec3::Zero(), 1});
             }
-    const auto touches = [&out](int a, int b, const Vec3& n) { out.contacts.push_back({a, b, n.normalized(), 1, 1}); };
+    const auto touches = [&out](int a, std::optional<int> b, const Vec3& n) {
+        out.contacts.push_back({a, b, n.normalized(), 1, 1});
+    };
     for (int i = 0; i < static_cast<int>(places.size()); ++i) {
         const int x = i % side, y = i / side % side, z = i / side / side;
         if (x == 0) touches(i, immovable, Vec3::UnitX());
@@ -151,7 +153,7 @@ struct RandomClusters {
 
 /// Connected, in 1 to 3 dimensions, with random normals (no geometry), mixed restitution, some contacts with immovable
 /// bodies; a share of them has a body held between two opposite normals.
-inline Cluster random_cluster(carom::Random& random, const RandomClusters& options)
+inline ContactProblem random_cluster(carom::Random& random, const RandomClusters& options)
 {
     const auto dimensions = 1 + random.below(3);
     const auto contacts = 1 + random.below(static_cast<std::size_t>(options.most_contacts));
@@ -163,7 +165,7 @@ inline Cluster random_cluster(carom::Random& random, const RandomClusters& optio
         for (std::size_t k = dimensions; k < 3; ++k) n[static_cast<int>(k)] = 0;
         return n.squaredNorm() > 1e-6 ? Vec3(n / n.norm()) : Vec3(Vec3::UnitX());
     };
-    Cluster out;
+    ContactProblem out;
     for (std::size_t i = 0; i < bodies; ++i) {
         // Powers of 2 and a mantissa, as libm differs between machines.
         const int exponent =
@@ -172,7 +174,7 @@ inline Cluster random_cluster(carom::Random& random, const RandomClusters& optio
         const Vec3 velocity = speed * direction();
         out.bodies.push_back({velocity, std::ldexp(random.uniform(0.5, 1), exponent)});
     }
-    const auto add = [&](std::size_t a, int b, const Vec3& n) {
+    const auto add = [&](std::size_t a, std::optional<int> b, const Vec3& n) {
         double e = 1;
         if (mixture == 1) e = restitution;
         if (mixture > 1) e = random.below(3) == 0 ? 1 : random.below(3) == 0 ? 0 : random.uniform();
@@ -191,8 +193,8 @@ inline Cluster random_cluster(carom::Random& random, const RandomClusters& optio
     for (int tries = 0; tries < 10 * options.most_contacts && out.contacts.size() < contacts; ++tries) {
         const auto a = random.below(bodies);
         const auto b = random.below(bodies + 1);
-        const int partner = b == bodies ? immovable : static_cast<int>(b);
-        const bool known = std::any_of(out.contacts.begin(), out.contacts.end(), [&](const ClusterContact& c) {
+        const std::optional<int> partner = b == bodies ? immovable : std::optional(static_cast<int>(b));
+        const bool known = std::any_of(out.contacts.begin(), out.contacts.end(), [&](const Contact& c) {
             return (c.a == static_cast<int>(a) && c.b == partner) || (c.b == static_cast<int>(a) && c.a == partner);
         });
         if (a == b || (known && partner != immovable)) continue;
@@ -209,13 +211,13 @@ struct Debts {
     double pull = 0;      ///< the largest impulse that pulls, of the largest impulse
 };
 
-inline Debts debts(const Cluster& cluster, const ClusterImpact& impact)
+inline Debts debts(const ContactProblem& cluster, const ClusterImpact& impact)
 {
     Debts out;
     double speed = 0, energy = 0, energy_after = 0, quantity = 0;
     Vec3 before = Vec3::Zero(), after = Vec3::Zero(), from_outside = Vec3::Zero();
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
-        const auto& [v, w] = cluster.bodies[i];
+        const auto& [v, w, id] = cluster.bodies[i];
         speed = std::max(speed, v.norm());
         energy += v.squaredNorm() / w;
         energy_after += impact.velocities[i].squaredNorm() / w;
@@ -225,7 +227,7 @@ inline Debts debts(const Cluster& cluster, const ClusterImpact& impact)
     }
     double largest = 0;
     for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
-        const ClusterContact& contact = cluster.contacts[i];
+        const Contact& contact = cluster.contacts[i];
         out.closing = std::max(out.closing, -closing_rate(contact, impact.velocities) / speed);
         out.pull = std::max(out.pull, -contact.normal.dot(impact.impulses[i]));
         largest = std::max(largest, impact.impulses[i].norm());

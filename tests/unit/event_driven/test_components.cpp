@@ -1,6 +1,6 @@
 /// Several contacts at once in the engine: what belongs to one instant, and that no broad phase changes it. What their
 /// impacts and forces give is asked in tests/scenario.
-#include "event_driven/state.hpp"
+#include "motion/state.hpp"
 #include "support/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -183,21 +183,21 @@ TEST_CASE("a contact that closed a moment ago belongs to the instant of another 
 {
     Scene scene = empty_scene(1, earth, 0.5);
     for (const double x : {0.0, 0.3, 0.6}) add_sphere(scene, 0.1, {x, 0, 1});
-    State state(scene);
+    State state(scene, Precision::plain);
     const double height = state.rest.closing_speed * state.rest.closing_speed / (2 * 9.81);
     CHECK(state.rebound_gap == Approx(height));
     const auto at = [&](double t) { return state.frame.after({}, t); };
     state.recent.add(0, 1, at(0.5));
     const EpochTime soon = at(0.5 + state.rest.window / 2), later = at(0.5 + 2 * state.rest.window);
-    CHECK(state.ties(0, 1, 0.9 * height, soon));
-    CHECK(state.ties(1, 0, 0.9 * height, soon));
-    CHECK_FALSE(state.ties(0, 1, 1.1 * height, soon));
-    CHECK_FALSE(state.ties(0, 1, 0.9 * height, later));
-    CHECK_FALSE(state.ties(1, 2, 0.9 * height, soon));
-    CHECK(state.ties(1, 2, 0.5e-12 * 0.1, soon));
-    CHECK(State(scene, true).rebound_gap == 0);
+    CHECK(state.ties(0, Partner::sphere(1), 0.9 * height, soon));
+    CHECK(state.ties(1, Partner::sphere(0), 0.9 * height, soon));
+    CHECK_FALSE(state.ties(0, Partner::sphere(1), 1.1 * height, soon));
+    CHECK_FALSE(state.ties(0, Partner::sphere(1), 0.9 * height, later));
+    CHECK_FALSE(state.ties(1, Partner::sphere(2), 0.9 * height, soon));
+    CHECK(state.ties(1, Partner::sphere(2), 0.5e-12 * 0.1, soon));
+    CHECK(State(scene, Precision::certified).rebound_gap == 0);
     scene.rest.policy = RestPolicy::micro;
-    CHECK(State(scene).rebound_gap == 0);
+    CHECK(State(scene, Precision::plain).rebound_gap == 0);
 }
 
 TEST_CASE("what has rolled and comes to rest touches, within the gap tolerance")

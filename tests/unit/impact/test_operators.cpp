@@ -1,9 +1,6 @@
-#include "impact/jacobi.hpp"
-#include "impact/lcp.hpp"
-#include "impact/sequential.hpp"
-#include "impact/shock.hpp"
+#include "impact/operators.hpp"
 
-#include "impact/cluster_problem.hpp"
+#include "contact/contact_problem.hpp"
 
 #include "support/clusters.hpp"
 
@@ -16,7 +13,7 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-ClusterImpact resolve(const Cluster& cluster, ImpactOperator which, const LcpOptions& lcp_options = {})
+ClusterImpact resolve(const ContactProblem& cluster, ImpactOperator which, const LcpOptions& lcp_options = {})
 {
     ImpactOptions options;
     options.impact_operator = which;
@@ -74,7 +71,7 @@ TEST_CASE("One after the other a cradle and a tower answer as they should, but t
     }
     CHECK(sequential(cradle(1)).rounds == 4);
     CHECK(sequential(hit_tower(5)).rounds == 11);
-    Cluster three = row({1, 2, 1}, {1, 0.1, -1});
+    ContactProblem three = row({1, 2, 1}, {1, 0.1, -1});
     const ClusterImpact forward = resolve(three, ImpactOperator::sequential);
     std::swap(three.contacts[0], three.contacts[1]);
     const ClusterImpact backward = resolve(three, ImpactOperator::sequential);
@@ -116,9 +113,9 @@ TEST_CASE("With one restitution Newton's and Poisson's laws gain no energy")
         RandomClusters options;
         options.most_contacts = 20;
         options.mass_ratio = 1e3;
-        Cluster cluster = random_cluster(random, options);
+        ContactProblem cluster = random_cluster(random, options);
         const double e = random.uniform();
-        for (ClusterContact& contact : cluster.contacts) contact.restitution = e;
+        for (Contact& contact : cluster.contacts) contact.restitution = e;
         for (const LcpLaw law : {LcpLaw::newton, LcpLaw::poisson}) {
             const ClusterImpact impact = resolve(cluster, ImpactOperator::lcp, {law, LcpSolver::exact, 100});
             const Debts owed = debts(cluster, impact);
@@ -139,7 +136,7 @@ TEST_CASE("Newton's law with mixed restitution gains energy: why the blend is of
         RandomClusters options;
         options.most_contacts = 10;
         options.share_jammed = 0;
-        const Cluster cluster = random_cluster(random, options);
+        const ContactProblem cluster = random_cluster(random, options);
         most = std::max(most, debts(cluster, resolve(cluster, ImpactOperator::lcp)).energy);
     }
     CHECK(most > 1);
@@ -148,10 +145,10 @@ TEST_CASE("Newton's law with mixed restitution gains energy: why the blend is of
 TEST_CASE("All at once gains energy in a corner that is sharper than a right angle")
 {
     const double half = 0.3;
-    const Cluster corner = wedge(std::cos(half), std::sin(half), Vec3(0, -1, 0));
+    const ContactProblem corner = wedge(std::cos(half), std::sin(half), Vec3(0, -1, 0));
     check_row(resolve(row({1, 1}, {1, 0}), ImpactOperator::jacobi), {0, 1});
     double most = 0;
-    for (const Cluster& cluster : {corner, bernoulli(1), rack_of_15()})
+    for (const ContactProblem& cluster : {corner, bernoulli(1), rack_of_15()})
         most = std::max(most, debts(cluster, resolve(cluster, ImpactOperator::jacobi)).energy);
     CHECK(most > 0.01);
 }
@@ -177,7 +174,7 @@ TEST_CASE("Whatever the operator nothing closes after it")
             RandomClusters options;
             options.most_contacts = 15;
             options.mass_ratio = 64;
-            const Cluster cluster = random_cluster(random, options);
+            const ContactProblem cluster = random_cluster(random, options);
             const ClusterImpact impact = resolve(cluster, which);
             CAPTURE(trial, static_cast<int>(which));
             CHECK(nothing_closes(cluster, impact.velocities, 1e-9 * std::max(2.0, largest_speed(impact.velocities))));
@@ -190,7 +187,7 @@ TEST_CASE("Whatever the operator nothing closes after it")
 
 TEST_CASE("The tangential factor is the pair law's with one contact, and takes energy with many")
 {
-    Cluster one;
+    ContactProblem one;
     one.bodies = {{Vec3(1, 2, -3), 0.5}};
     one.contacts = {{0, immovable, Vec3(0, 0, 1), 0.5, 0.25}};
     const ClusterImpact single = resolve(one, ImpactOperator::reflections);
@@ -200,8 +197,8 @@ TEST_CASE("The tangential factor is the pair law's with one contact, and takes e
     CHECK((resolve(one, ImpactOperator::reflections).velocities[0] - Vec3(0.25, 0.5, 1.5)).norm() < rounding);
 
     // Along a groove without any slip the motion stops; two contacts do not throw it back.
-    Cluster groove = wedge(std::sqrt(0.5), std::sqrt(0.5), Vec3(0, -1, 1));
-    for (ClusterContact& contact : groove.contacts) contact.tangential = 0;
+    ContactProblem groove = wedge(std::sqrt(0.5), std::sqrt(0.5), Vec3(0, -1, 1));
+    for (Contact& contact : groove.contacts) contact.tangential = 0;
     CHECK((resolve(groove, ImpactOperator::reflections).velocities[0] - Vec3(0, 0.5, 0)).norm() < rounding);
 
     carom::Random random(41);
@@ -209,10 +206,10 @@ TEST_CASE("The tangential factor is the pair law's with one contact, and takes e
         RandomClusters options;
         options.mass_ratio = 1e3;
         options.most_contacts = 20;
-        Cluster cluster = random_cluster(random, options);
-        for (ClusterContact& contact : cluster.contacts) contact.tangential = random.uniform();
+        ContactProblem cluster = random_cluster(random, options);
+        for (Contact& contact : cluster.contacts) contact.tangential = random.uniform();
         const ClusterImpact rough = resolve(cluster, ImpactOperator::reflections);
-        for (ClusterContact& contact : cluster.contacts) contact.tangential = 1;
+        for (Contact& contact : cluster.contacts) contact.tangential = 1;
         const ClusterImpact smooth = resolve(cluster, ImpactOperator::reflections);
         const Debts owed = debts(cluster, rough);
         CHECK(owed.energy <= debts(cluster, smooth).energy + rounding);

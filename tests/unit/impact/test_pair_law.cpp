@@ -1,6 +1,6 @@
 #include "impact/pair_law.hpp"
 
-#include "impact/contact_laws.hpp"
+#include "contact/contact_laws.hpp"
 #include "support/random.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "impact/reflections.hpp"
+#include "impact/operators.hpp"
 
 #include "support/clusters.hpp"
 
@@ -12,12 +12,12 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-ClusterImpact resolve(const Cluster& cluster)
+ClusterImpact resolve(const ContactProblem& cluster)
 {
     return resolve_cluster(cluster, {});
 }
 
-void check_row(const Cluster& cluster, const std::vector<double>& speeds)
+void check_row(const ContactProblem& cluster, const std::vector<double>& speeds)
 {
     const ClusterImpact impact = resolve(cluster);
     for (std::size_t i = 0; i < speeds.size(); ++i) {
@@ -48,7 +48,7 @@ TEST_CASE("Rows of the literature")
 TEST_CASE("A light ball between two heavy ones hands on what one brings, however heavy they are")
 {
     for (const double mass : {1e3, 1e4, 1e6, 1e9}) {
-        const Cluster cluster = row({mass, 1, mass}, {1, 0, 0});
+        const ContactProblem cluster = row({mass, 1, mass}, {1, 0, 0});
         const ClusterImpact impact = resolve(cluster);
         CAPTURE(mass, impact.rounds);
         CHECK_FALSE(impact.capped);
@@ -73,7 +73,7 @@ TEST_CASE("Bernoulli's problem")
 
 TEST_CASE("A rack of 15 breaks symmetrically and keeps momentum and energy")
 {
-    const Cluster cluster = rack_of_15();
+    const ContactProblem cluster = rack_of_15();
     const ClusterImpact impact = resolve(cluster);
     CHECK(impact.rounds == 6);
     const Debts owed = debts(cluster, impact);
@@ -93,7 +93,7 @@ TEST_CASE("Corners turn a sphere round")
 {
     const double diagonal = std::sqrt(0.5);
     CHECK((resolve(wedge(diagonal, diagonal, Vec3(0.3, -1, 0))).velocities[0] - Vec3(-0.3, 1, 0)).norm() < rounding);
-    Cluster corner;
+    ContactProblem corner;
     corner.bodies = {{Vec3(-1, -2, -3), 0.5}};
     for (int k = 0; k < 3; ++k) corner.contacts.push_back({0, immovable, Vec3::Unit(k), 1, 1});
     CHECK((resolve(corner).velocities[0] - Vec3(1, 2, 3)).norm() < rounding);
@@ -123,7 +123,7 @@ TEST_CASE("A pinched sphere loses what presses it between its planes and keeps t
 TEST_CASE("A jammed sphere passes on what it cannot take")
 {
     // Held between two planes, it is a wall for the one that hits it along them.
-    Cluster cluster = pinched();
+    ContactProblem cluster = pinched();
     cluster.bodies = {{Vec3::Zero(), 1}, {Vec3(1, 1, 0), 1}};
     cluster.contacts.push_back({0, 1, Vec3(1, 0, 0), 1, 1});
     const ClusterImpact impact = resolve(cluster);
@@ -134,7 +134,7 @@ TEST_CASE("A jammed sphere passes on what it cannot take")
 TEST_CASE("Restitution of a mixture lies between those of its contacts, weighted by their work")
 {
     // Two impacts with planes at right angles, of the same closing speed and different restitution.
-    Cluster cluster = wedge(std::sqrt(0.5), std::sqrt(0.5), Vec3(0, -1, 0));
+    ContactProblem cluster = wedge(std::sqrt(0.5), std::sqrt(0.5), Vec3(0, -1, 0));
     cluster.contacts[0].restitution = 0.25;
     cluster.contacts[1].restitution = 0.75;
     CHECK((resolve(cluster).velocities[0] - Vec3(0, 0.5, 0)).norm() < rounding);
@@ -143,7 +143,7 @@ TEST_CASE("Restitution of a mixture lies between those of its contacts, weighted
 TEST_CASE("A contact that the impact of another opens has no part in its restitution")
 {
     // The second closes slowly on the third; the first, by then, throws it back.
-    Cluster cluster;
+    ContactProblem cluster;
     cluster.bodies = {{Vec3(-1, 0, 0), 1}, {Vec3(0.01, 0, 0), 1}, {Vec3::Zero(), 1}};
     cluster.contacts = {{1, 0, Vec3(-1, 0, 0), 0.5, 1}, {2, 1, Vec3(1, 0, 0), 0, 1}};
     const ClusterImpact impact = resolve(cluster);
@@ -158,12 +158,12 @@ TEST_CASE("Neither the order of contacts nor that of bodies matters, nor which i
         RandomClusters options;
         options.most_contacts = 20;
         options.mass_ratio = 16;
-        const Cluster cluster = random_cluster(random, options);
+        const ContactProblem cluster = random_cluster(random, options);
         const auto bodies = cluster.bodies.size();
-        Cluster turned;
+        ContactProblem turned;
         for (std::size_t i = 0; i < bodies; ++i) turned.bodies.push_back(cluster.bodies[bodies - 1 - i]);
-        std::vector<ClusterContact> reversed(cluster.contacts.rbegin(), cluster.contacts.rend());
-        for (ClusterContact& contact : reversed) {
+        std::vector<Contact> reversed(cluster.contacts.rbegin(), cluster.contacts.rend());
+        for (Contact& contact : reversed) {
             contact.a = static_cast<int>(bodies) - 1 - contact.a;
             if (contact.b != immovable) {
                 contact.b = static_cast<int>(bodies) - 1 - contact.b;
@@ -190,7 +190,7 @@ TEST_CASE("Random clusters: nothing closes, nothing pulls, momentum is kept, ene
         options.mass_ratio = ratio;
         int jammed = 0, bad = 0;
         for (int trial = 0; trial < 1500; ++trial) {
-            const Cluster cluster = random_cluster(random, options);
+            const ContactProblem cluster = random_cluster(random, options);
             const ClusterImpact impact = resolve(cluster);
             const Debts owed = debts(cluster, impact);
             jammed += impact.jammed ? 1 : 0;
@@ -207,9 +207,9 @@ TEST_CASE("Scale does not matter: masses and speeds times powers of two give the
     for (int trial = 0; trial < 200; ++trial) {
         RandomClusters options;
         options.most_contacts = 12;
-        const Cluster cluster = random_cluster(random, options);
-        Cluster large = cluster;
-        for (ClusterBody& body : large.bodies) {
+        const ContactProblem cluster = random_cluster(random, options);
+        ContactProblem large = cluster;
+        for (ContactBody& body : large.bodies) {
             body.velocity *= 0x1p40;
             body.inverse_mass *= 0x1p-60;
         }

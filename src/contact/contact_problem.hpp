@@ -1,0 +1,34 @@
+/// \file
+/// A cluster as a projection problem: velocities are the vectors, inverse masses their metric, contacts the
+/// half-spaces.
+#pragma once
+
+#include "contact/contact.hpp"
+
+#include "projection/half_space.hpp"
+
+namespace carom {
+
+/// Speeds below this part of the largest one are rounding, to whoever projects.
+inline constexpr double projection_tolerance = 1e-13;
+/// Contacts that close slower than this part of the largest speed do not close (IMPACTS: eps).
+inline constexpr double closing_tolerance = 1e-12;
+
+/// Half-spaces c_i >= 0 in the order of the contacts, start = the velocities.
+ProjectionProblem projection_problem(const ContactProblem& cluster);
+
+double largest_speed(std::span<const Vec3> velocities);
+
+/// Kinetic energy [mass speed^2]
+double kinetic_energy(const ContactProblem& cluster, std::span<const Vec3> velocities);
+
+std::vector<Vec3> velocities_before(const ContactProblem& cluster);
+
+/// With impulses on a and -impulses on b added, in the order of the contacts.
+std::vector<Vec3> velocities_after(const ContactProblem& cluster, std::vector<Vec3> velocities,
+                                   std::span<const Vec3> impulses);
+
+/// Closing rates that no response leaves behind.
+bool nothing_closes(const ContactProblem& cluster, std::span<const Vec3> velocities, double tolerance);
+
+}  // namespace carom

@@ -1,0 +1,87 @@
+#include "gather/instant.hpp"
+
+#include "math/length.hpp"
+
+#include <algorithm>
+
+namespace carom {
+
+namespace {
+
+/// Is the contact closed at this instant, and not opening? (One that opens would have to be closed again by the same
+/// instant to matter.) \pre a is a sphere; flights are of this instant.
+bool closed_contact(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
+{
+    const Partner partner = Partner::sphere(id_b);
+    const Vec3 r = separation(state.frame, a.place, b.place);
+    const double sum = state.radius(id_a) + state.radius(id_b);
+    const double reach = sum + std::max(state.rebound_gap, state.tie(state.smaller_radius(id_a, partner)));
+    return r.squaredNorm() <= reach * reach && approach_sign(r, a.velocity - b.velocity) <= 0 &&
+           state.ties(id_a, partner, length(r) - sum, a.start);
+}
+
+bool closed_contact(const State& state, const Flight& a, BodyId id, int plane)
+{
+    const Plane& p = state.plane(plane);
+    if (!p.thickness && p.normal.dot(a.velocity) > 0) return false;  // the cheap half of the answer first
+    if (!state.ties(id, Partner::plane(plane), height_above(state, id, plane, a.place), a.start)) return false;
+    return facing_normal(state, plane, a.place).dot(a.velocity) <= 0;
+}
+
+}  // namespace
+
+Enclosure<DoubleDouble> ContactInstant::wait_for(BodyId body, Partner other) const
+{
+    const Flight a = flown(state_, body, contact_.time);
+    if (other.is_plane()) return wait(state_, a, body, nullptr, other);
+    const Flight b = flown(state_, other.index, contact_.time);
+    return wait(state_, a, body, &b, other);
+}
+
+bool ContactInstant::is_that_of(BodyId body, Partner other) const
+{
+    if (!is_certified_gap(state_, body, other) || !is_certified_gap(state_, contact_.a, contact_.b)) return true;
+    const Enclosure<DoubleDouble> own = wait_for(contact_.a, contact_.b), its = wait_for(body, other);
+    return !(its.t_hi < own.t_lo) && !(own.t_hi < its.t_lo);
+}
+
+bool other_closed(const State& state, const ContactInstant& instant, const Flight& now, BodyId body, Partner partner,
+                  const Neighbourhood& neighbourhood)
+{
+    if (state.is_fixed(body)) return false;  // contacts are linked through bodies that can move
+    const auto* leaning = state.bodies.as<Leaning>(body);
+    for (int p = 0; p < state.planes(); ++p) {
+        const Partner plane = Partner::plane(p);
+        if (plane != partner && !(leaning && p == leaning->plane) && closed_contact(state, now, body, p) &&
+            instant.is_that_of(body, plane))
+            return true;
+    }
+    const double margin = state.widest_tie(body);
+    for (const BodyId other : neighbourhood(body)) {
+        if (partner == Partner::sphere(other)) continue;
+        if (!may_touch(state, body, now, other, margin)) continue;
+        if (closed_contact(state, now, body, advanced(state, other, now.start), other) &&
+            instant.is_that_of(body, Partner::sphere(other)))
+            return true;
+    }
+    return false;
+}
+
+bool belongs_to_previous_instant(const State& state, const Key& key)
+{
+    if (state.certified()) return false;  // there a contact that is closed was predicted from this very flight
+    const auto changed = [&](BodyId body) { return state.bodies.stamp(body) > 0; };
+    const double tie = state.tie(state.smaller_radius(key.a, key.b));
+    const Flight& a = state.flight(key.a);
+    if (key.b.is_plane()) {
+        if (!changed(key.a) || recedes_at_start(state, a, key.b.index)) return false;
+        const PlaneMotion m = plane_motion(state, moving(state, key.a), key.b.index);
+        return m.h <= tie && m.w < 0;
+    }
+    if (!changed(a.start < state.flight(key.b.index).start ? key.b.index : key.a)) return false;
+    const PairMotion m = pair_motion(state, moving(state, key.a), moving(state, key.b.index));
+    const double reach = m.contact_distance + tie;
+    return m.r.squaredNorm() <= reach * reach && approach_sign(m.r, m.v) < 0;
+}
+
+}  // namespace carom

@@ -1,0 +1,40 @@
+/// \file
+/// How a sphere on one plane stops bouncing: at rest by arithmetic, or by the closed sum of a Zeno series.
+#pragma once
+
+#include "gather/may_touch.hpp"
+#include "math/error_free.hpp"
+
+#include <cmath>
+
+namespace carom {
+
+/// Is a sphere that leaves a plane with normal speed w in fact in persistent contact? True where the next bounce would
+/// be lower than the rounding of its own position, and where nothing presses and nothing of the speed is left.
+/// \param scale radius + cell size, which its position rounds to [length] \param gravity towards the plane
+/// [length/time^2]
+inline bool is_rest(double scale, const Vec3& velocity, double w, double gravity)
+{
+    constexpr double u = unit_roundoff;
+    // w^2/g, in an order that stays within doubles however weak gravity is.
+    if (gravity > 0) return w * (w / gravity) <= 2 * 16 * u * scale;
+    if (gravity < 0) return false;
+    return w <= 8 * u * std::sqrt(velocity.squaredNorm());
+}
+
+/// Is the next bounce one of those that are summed in closed form, not events of their own?
+inline bool is_low(const State& state, BodyId body, double w, double gravity, const ContactLaw& law)
+{
+    return law.restitution < 1 && gravity > 0 && state.scene.rest.policy != RestPolicy::micro &&
+           w * (w / gravity) < 2 * state.scene.rest.series_below * state.radius(body);
+}
+
+/// The series that begins with normal speed w.
+Series make_series(const State& state, const Flight& flight, int plane, double w, double gravity,
+                   const ContactLaw& law);
+
+/// Does nothing else meet the ball that the series sweeps before it ends?
+bool series_is_clear(const State& state, BodyId body, const Flight& flight, const Bouncing& bouncing,
+                     const Neighbourhood& neighbourhood);
+
+}  // namespace carom

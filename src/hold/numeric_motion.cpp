@@ -1,0 +1,164 @@
+#include "hold/numeric_motion.hpp"
+
+#include "math/error_free.hpp"
+#include "motion/moment.hpp"
+#include "motion/relative.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+
+namespace {
+
+/// Of the smallest radius: see NumericCluster. A ball that rolls off another one as gravity has it needs 1e-8, in a
+/// step of h.
+constexpr double agreement = 3e-7;
+
+/// \param number of the component's bodies in the cluster, where they move
+/// \pre one of the contact's bodies moves
+NumericContact numeric_contact(const State& state, const ContactComponent& component, const Contact& contact,
+                               const std::vector<std::optional<int>>& number, const Place& centre)
+{
+    const auto a = static_cast<std::size_t>(contact.a);
+    const std::optional<int> number_b = contact.b ? number[static_cast<std::size_t>(*contact.b)] : immovable;
+    const auto place = [&](std::size_t body) { return separation(state.frame, component.flights[body].place, centre); };
+    NumericContact out;
+    out.a = number[a] ? *number[a] : *number_b;
+    out.b = number[a] ? number_b : immovable;
+    if (contact.partner.is_plane()) {
+        out.plane = true;
+        out.centre = contact.normal / std::sqrt(contact.normal.squaredNorm());
+        out.reach = out.centre.dot(place(a)) - contact.gap;
+        return out;
+    }
+    out.reach = state.radius(component.id_of_a(contact)) + state.radius(contact.partner.index);
+    if (out.b) return out;
+    if (!number[a])
+        out.centre = place(a);
+    else if (contact.b)
+        out.centre = place(static_cast<std::size_t>(*contact.b));
+    else
+        out.centre = separation(state.frame, state.flight(contact.partner.index).place, centre);
+    return out;
+}
+
+/// Largest overlap of the parabolas after a time.
+double depth(const NumericCluster& cluster, const std::vector<Vec3>& accelerations, double time)
+{
+    const auto at = [&](int body) {
+        const auto k = static_cast<std::size_t>(body);
+        const NumericBody& b = cluster.bodies[k];
+        return Vec3(b.position + displacement(b.velocity, accelerations[k], time));
+    };
+    double deepest = 0;
+    for (const NumericContact& c : cluster.contacts) {
+        const Vec3 a = at(c.a);
+        const Vec3 r = a - (c.plane ? Vec3::Zero() : c.b ? at(*c.b) : c.centre);
+        const double gap = c.plane ? c.centre.dot(r) - c.reach : std::sqrt(r.squaredNorm()) - c.reach;
+        deepest = std::max(deepest, -gap);
+    }
+    return deepest;
+}
+
+/// A heap that is hot is interrupted all the time, and what was found for later times is of no use: a step is no longer
+/// than four times the last ones came to, on average over the bodies.
+double step_length(const State& state, const ContactComponent& component, std::span<const std::size_t> part,
+                   const EpochTime& now)
+{
+    constexpr double growth = 4, shortest = 0x1p-6;
+    const double h = state.rest.numeric_step;
+    double sum = 0;
+    int count = 0;
+    for (const std::size_t k : part) {
+        const BodyId body = component.id(k);
+        if (!state.bodies.is_in_piece(body)) continue;
+        sum += state.frame.between(state.flight(body).start, now);
+        ++count;
+    }
+    return count == 0 ? h : std::clamp(growth * sum / count, shortest * h, h);
+}
+
+}  // namespace
+
+EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& earliest)
+{
+    const auto is_stepping = [&](BodyId body) { return state.bodies.kind(body) == MotionKind::stepping; };
+    const bool sphere = key.b.is_sphere();
+    if (!is_stepping(key.a) && !(sphere && is_stepping(key.b.index))) return key.time;
+    // Newton's method from the right, between a time before the contact and one after it.
+    const double latest = state.frame.between(earliest, key.time);
+    double t = latest, before = -1, after = latest;
+    constexpr int steps = 8;
+    for (int i = 0; i < steps; ++i) {
+        const EpochTime time = state.frame.after(earliest, t);
+        const Flight a = flight_within_step(state, key.a, time);
+        const Flight b = sphere ? flight_within_step(state, key.b.index, time) : Flight{};
+        const Contact contact = measured(state, key.a, a, key.b, sphere ? &b : nullptr);
+        const double rate = contact.normal.dot(sphere ? Vec3(a.velocity - b.velocity) : a.velocity);
+        if (i == 0 && !(contact.gap < 0)) return key.time;
+        if (i == 0 && !(rate < 0)) return key.time;
+        // What opens is the end of an earlier contact.
+        const bool close = std::abs(contact.gap) <= unit_roundoff * state.radius(key.a);
+        const bool closed = (contact.gap < 0 || close) && rate < 0;
+        (closed ? after : before) = t;
+        if ((closed && close) || !(after > 0)) break;
+        const double newton = rate < 0 ? t - contact.gap / rate : before;
+        if (before < newton && newton < after)
+            t = std::max(newton, 0.0);
+        else
+            t = before < 0 ? 0 : before + (after - before) / 2;
+    }
+    return after < latest ? state.frame.after(earliest, after) : key.time;
+}
+
+NumericMotion numeric_motion(const State& state, const ContactComponent& component, std::span<const std::size_t> part,
+                             std::span<const std::size_t> held, const std::function<double(std::size_t)>& force,
+                             const EpochTime& now, double opening)
+{
+    auto piece = std::make_shared<NumericPiece>();
+    piece->centre = component.flights[part.front()].place;
+    NumericCluster& cluster = piece->cluster;
+    cluster.gravity = state.gravity();
+    cluster.opening = opening;
+    double radius = std::numeric_limits<double>::infinity();
+    std::vector<std::optional<int>> number(component.flights.size());
+    for (const std::size_t k : part) {
+        radius = std::min(radius, state.radius(component.id(k)));
+        number[k] = static_cast<int>(cluster.bodies.size());
+        const ContactBody& body = component.problem.bodies[k];
+        cluster.bodies.push_back(
+            {separation(state.frame, component.flights[k].place, piece->centre), body.velocity, body.inverse_mass});
+    }
+    cluster.agreement = agreement * radius;
+    std::vector<std::size_t> concerned;
+    for (const std::size_t i : held) {
+        const Contact& contact = component.problem.contacts[i];
+        if (!number[static_cast<std::size_t>(contact.a)] &&
+            !(contact.b && number[static_cast<std::size_t>(*contact.b)]))
+            continue;
+        concerned.push_back(i);
+        cluster.contacts.push_back(numeric_contact(state, component, contact, number, piece->centre));
+        cluster.contacts.back().force = force(i);
+    }
+    piece->step = numeric_step(cluster, step_length(state, component, part, now));
+    const NumericStep& step = piece->step;
+
+    NumericMotion out;
+    for (const std::size_t n : step.opened) out.opened.push_back(concerned[n]);
+    out.mean_forces.assign(component.problem.contacts.size(), 0);
+    for (std::size_t n = 0; n < concerned.size(); ++n) out.mean_forces[concerned[n]] = step.forces[n];
+    out.correction = step.correction;
+    std::vector<Vec3> accelerations;
+    // The parabola that ends where the motion does, if its acceleration changes at a steady rate: no difference of
+    // places, which what is put back, and rounding, would make enormous in a brief step.
+    for (std::size_t k = 0; k < part.size(); ++k)
+        accelerations.push_back((2 * step.start_accelerations[k] + step.end_accelerations[k]) / 3);
+    for (std::size_t k = 0; k < part.size(); ++k)
+        out.pieces.push_back({state.frame.after(now, step.duration), accelerations[k], piece, k});
+    out.depth = depth(cluster, accelerations, 2 * step.duration / 3);
+    return out;
+}
+
+}  // namespace carom

@@ -1,0 +1,30 @@
+/// \file
+/// What an event does: how its bodies go on, and what happened. Nothing is changed by making one; the loop commits it.
+#pragma once
+
+#include "motion/bodies.hpp"
+
+#include <carom/simulate.hpp>
+
+#include <vector>
+
+namespace carom {
+
+/// Forces of a body that rested and rests, in the same contacts.
+struct ForceChange {
+    BodyId body = no_body;
+    std::vector<PersistentContact> contacts{};
+};
+
+struct EventOutcome {
+    std::vector<Change> changes;      ///< bodies ascending, where there are several
+    std::vector<ForceChange> forces;  ///< likewise
+    std::vector<Event> events;        ///< kind, a, b, normal and impulse; times are the loop's business
+    EnergyTaken taken;
+    std::int64_t numeric_steps = 0;
+    bool clustered = false;  ///< impacts of several contacts were resolved together
+    bool capped = false;     ///< see ClusterImpact
+    double penetration = 0;  ///< of contacts at this instant, and of the parabolas of numeric pieces, >= 0 [length]
+};
+
+}  // namespace carom

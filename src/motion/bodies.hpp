@@ -1,0 +1,87 @@
+/// \file
+/// The motions of all spheres of a run: their one owner, and the one function that changes them.
+#pragma once
+
+#include "motion/motion.hpp"
+#include "motion/persistent_contacts.hpp"
+
+#include "flight/flight.hpp"
+
+namespace carom {
+
+/// How a body goes on.
+struct Change {
+    BodyId body = no_body;
+    Flight flight{};
+    Motion motion = Flying{};
+    std::vector<PersistentContact> contacts{};  ///< of a body that is held by several, or in a numeric piece
+};
+
+/// The number type in which free flights are advanced and predicted.
+enum class Precision : std::uint8_t { plain, certified };
+
+class Bodies {
+public:
+    Bodies(const Scene& scene, const Frame& frame, Precision precision);
+
+    BodyId count() const { return static_cast<BodyId>(hot_.size()); }
+    double radius(BodyId body) const { return radii_[at(body)]; }  ///< [length]
+    const Flight& flight(BodyId body) const { return hot_[at(body)].flight; }
+    MotionKind kind(BodyId body) const { return hot_[at(body)].kind; }
+    /// The number of changes of the body's flight since the start; 0: as the scene began.
+    std::uint32_t stamp(BodyId body) const { return hot_[at(body)].stamp; }
+    const Motion& motion(BodyId body) const { return motions_[at(body)]; }
+    /// The body's motion if it is of that alternative, else null.
+    template <class Alternative>
+    const Alternative* as(BodyId body) const
+    {
+        return kind(body) == Alternative::kind ? &std::get<Alternative>(motions_[at(body)]) : nullptr;
+    }
+    /// Is some body in a numeric step or a window of the guard?
+    bool some_in_piece() const { return in_piece_ > 0; }
+    bool is_in_piece(BodyId body) const
+    {
+        return kind(body) == MotionKind::stepping || kind(body) == MotionKind::windowed;
+    }
+
+    /// Do spheres or several planes hold the body, or is it in a piece?
+    bool is_held_by_several(BodyId body) const { return kind(body) >= MotionKind::held; }
+
+    const PersistentContacts& contacts() const { return contacts_; }
+    const Accelerations& accelerations() const { return accelerations_; }
+    /// The acceleration of a flight [length/time^2].
+    const Vec3& acceleration(const Flight& flight) const { return accelerations_[flight.acceleration]; }
+
+    /// The body moves like this from here on. Its stamp, its contacts and its own acceleration follow.
+    void set(const Change& change)
+    {
+        Hot& hot = hot_[at(change.body)];
+        hot.flight = change.flight;
+        ++hot.stamp;
+        if (hot.kind != MotionKind::flying || kind_of(change.motion) != MotionKind::flying) enter(change);
+    }
+    /// Other forces in the same persistent contacts: no change of the motion.
+    void set_forces(BodyId body, const std::vector<PersistentContact>& contacts);
+    /// The present motions are those as the scene begins.
+    void begin();
+
+private:
+    struct Hot {
+        Flight flight{};
+        std::uint32_t stamp = 0;
+        MotionKind kind = MotionKind::flying;
+    };
+
+    /// What changes when a body does not fly on.
+    void enter(const Change& change);
+    static std::size_t at(BodyId body) { return static_cast<std::size_t>(body); }
+
+    std::vector<Hot> hot_;         ///< by body
+    std::vector<double> radii_;    ///< by body
+    std::vector<Motion> motions_;  ///< by body
+    PersistentContacts contacts_;
+    Accelerations accelerations_;
+    int in_piece_ = 0;  ///< bodies whose motion is stepping or windowed
+};
+
+}  // namespace carom

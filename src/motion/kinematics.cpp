@@ -1,0 +1,198 @@
+#include "motion/kinematics.hpp"
+
+#include "motion/clock.hpp"
+#include "motion/plane_query.hpp"
+
+namespace carom {
+
+namespace {
+
+constexpr double u = unit_roundoff;
+
+ContactTime contact_time(const Frame& frame, const EpochTime& from, const Enclosure<DoubleDouble>& e)
+{
+    if (e.decided == Decision::none) return {};
+    if (e.decided == Decision::pressed) return {true, from, true, false};
+    return {true, rough_time(frame, from, e.t_lo.high), true, false};
+}
+
+/// Half of all pairs end here.
+bool certainly_separating(const Vec3& r, const Vec3& v, const SphereInputError& error)
+{
+    const double p1 = r.x() * v.x(), p2 = r.y() * v.y(), p3 = r.z() * v.z();
+    const double rs = std::abs(r.x()) + std::abs(r.y()) + std::abs(r.z()),
+                 vs = std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z());
+    const double bound = 8 * u * (std::abs(p1) + std::abs(p2) + std::abs(p3)) + 2 * (error.v * rs + error.r * vs) +
+                         4 * error.r * error.v;
+    // Neither overflow nor underflow passes for certain.
+    constexpr double least = 0x1p-900;
+    return p1 + p2 + p3 > bound && bound > least;
+}
+
+/// No speed towards a plane that is no plate, and no acceleration: most walls, most of the time.
+bool certainly_receding(const State& state, const Flight& f, int p)
+{
+    const Plane& plane = state.plane(p);
+    if (plane.thickness || !(plane.normal.dot(f.velocity) > 8 * u * largest(f.velocity))) return false;
+    if (f.acceleration == Accelerations::none) return true;
+    const Vec3& g = state.acceleration(f);
+    bool across = true;  // gravity along the plane, to the last bit
+    for (int k = 0; k < 3; ++k) across = across && (plane.normal[k] == 0 || g[k] == 0);
+    return across || plane.normal.dot(g) > 8 * u * largest(g);
+}
+
+/// How far the relative motion in double may be from the exact one.
+SphereInputError input_error(const State& state, const Flight& a, const Flight& b, const Relative<double>& m)
+{
+    const Flight& older = a.start < b.start ? a : b;
+    const double dt = state.frame.between(older.start, m.from);
+    const double g = largest(state.acceleration(older)), speed = largest(older.velocity) + dt * g;
+    const double dt_error = 3 * u * dt + 2 * u * state.frame.epoch_length;
+    SphereInputError error;
+    error.r = 6 * u * (largest(m.r) + state.frame.cell_size + dt * speed) + dt_error * speed;
+    error.v = 4 * u * (largest(m.v) + speed) + dt_error * g;
+    return error;
+}
+
+/// A time at which nothing overlaps: places are rounded, and may lie on the wrong side of a contact by 2^-100 or so.
+template <class Depth>
+EpochTime outside(const Frame& frame, const EpochTime& from, EpochTime time, const Depth& overlap_at)
+{
+    constexpr int most_steps = 8;
+    for (int i = 0; i < most_steps && from < time && time != never && overlap_at(time) > 0; ++i)
+        time = step_back(frame, from, time);
+    return time;
+}
+
+/// local[k] + low[k] = sum, in whatever cell that is.
+void put_into_cell(const Frame& frame, Place& place, int k, DoubleDouble sum)
+{
+    const double whole = std::floor(sum.high / frame.cell_size);
+    if (whole != 0 && std::abs(whole) < furthest) {
+        sum = sum - DoubleDouble(whole * frame.cell_size);
+        place.cell[k] += static_cast<std::int64_t>(whole);
+    }
+    const bool below = sum.high < 0;  // by a rounding: the head was the wall itself
+    place.local[k] = below ? 0 : sum.high;
+    place.low[k] = below ? sum.high : sum.low;
+}
+
+}  // namespace
+
+bool is_certified_gap(const State& state, BodyId a, Partner b)
+{
+    if (!b.is_sphere()) return flies_certified(state, a);
+    const auto simple = [&](BodyId body) { return flies_certified(state, body) || state.is_fixed(body); };
+    return state.certified() && simple(a) && simple(b.index) &&
+           state.flight(a).acceleration == state.flight(b.index).acceleration;
+}
+
+ContactTime CertifiedKinematics::pair_time(const State& state, BodyId a, BodyId b, const EpochTime& limit)
+{
+    if (!is_certified_gap(state, a, Partner::sphere(b))) return PlainKinematics<true>::pair_time(state, a, b, limit);
+    const Flight &fa = state.flight(a), &fb = state.flight(b);
+    const auto m = relative_motion<double>(state, fa, fb);
+    const SphereInputError error = input_error(state, fa, fb, m);
+    if (certainly_separating(m.r, m.v, error)) return {};
+    const Enclosure<double> quick = enclose(m.r, m.v, state.radius(a) + state.radius(b), error);
+    if (quick.decided == Decision::none) return {};
+    if (quick.decided == Decision::impact) return {true, rough_time(state.frame, m.from, quick.t_lo), true, false};
+    const PairQuery pair(state, fa, a, fb, b);
+    return contact_time(state.frame, pair.from, pair.enclose());
+}
+
+ContactTime CertifiedKinematics::plane_time(const State& state, const Moving& sphere, int p, const EpochTime& limit)
+{
+    if (!flies_certified(state, sphere.body)) return PlainKinematics<true>::plane_time(state, sphere, p, limit);
+    const Flight& f = sphere.flight;
+    if (certainly_receding(state, f, p)) return {};
+    const PlaneMotion m = plane_motion(state, sphere, p);
+    const double g = largest(state.acceleration(f));
+    const PlaneInputError error{8 * u * (std::abs(m.h) + state.frame.cell_size), 8 * u * largest(f.velocity),
+                                8 * u * g};
+    const Enclosure<double> quick = enclose_plane(m.h, m.w, m.g, error);
+    if (quick.decided == Decision::none) return {};
+    if (quick.decided == Decision::impact) return {true, rough_time(state.frame, f.start, quick.t_lo), true, false};
+    return contact_time(state.frame, f.start, PlaneQuery(state, f, sphere.body, p).enclose());
+}
+
+EpochTime CertifiedKinematics::exact_time(const State& state, BodyId a, Partner b)
+{
+    const Flight& fa = state.flight(a);
+    const auto depth_at = [&](const EpochTime& t) {
+        const Flight now = flown(state, a, t);
+        if (b.is_plane()) return Encounter(state, now, a, nullptr, b).penetration();
+        const Flight other = flown(state, b.index, t);
+        return Encounter(state, now, a, &other, b).penetration();
+    };
+    if (b.is_plane()) {
+        const DoubleDouble t = PlaneQuery(state, fa, a, b.index).enclose().t_lo;
+        return outside(state.frame, fa.start, no_later(state.frame, fa.start, t), depth_at);
+    }
+    const PairQuery pair(state, fa, a, state.flight(b.index), b.index);
+    return outside(state.frame, pair.from, no_later(state.frame, pair.from, pair.enclose().t_lo), depth_at);
+}
+
+Flight flown(const State& state, BodyId body, const EpochTime& now)
+{
+    if (!flies_certified(state, body)) return advanced(state, body, now);
+    Flight f = state.flight(body);
+    const auto dt = elapsed<DoubleDouble>(state.frame, f.start, now);
+    if (dt.high == 0) return f;
+    const Vec3& g = state.acceleration(f);
+    for (int k = 0; k < 3; ++k) {
+        const DoubleDouble from = DoubleDouble(f.place.local[k]) + DoubleDouble(f.place.low[k]);
+        put_into_cell(state.frame, f.place, k, from + displacement<DoubleDouble>(f.velocity[k], g[k], dt));
+        f.velocity[k] = static_cast<double>(velocity_after<DoubleDouble>(f.velocity[k], g[k], dt));
+    }
+    f.start = now;
+    return f;
+}
+
+Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner)
+{
+    if (partner.is_plane()) return PlaneQuery(state, a, body, partner.index).enclose_rounded();
+    const double length = largest(separation(state.frame, a.place, b->place)) + state.frame.cell_size;
+    constexpr double rounding_of_places = 0x1p-90;
+    return PairQuery(state, a, body, *b, partner.index)
+        .enclose_rounded({rounding_of_places * length, 2 * u * (largest(a.velocity) + largest(b->velocity)), 0});
+}
+
+Encounter::Encounter(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner)
+    : state_(state),
+      a_(a),
+      body_(body),
+      b_(b),
+      partner_(partner),
+      certified_(state.certified() && is_certified_gap(state, body, partner))
+{
+    if (b) {
+        separation_ = separation(state.frame, a.place, b->place);
+        distance_ = std::sqrt(separation_.squaredNorm());
+        normal_ = separation_ / distance_;
+    } else {
+        normal_ = facing_normal(state, partner.index, a.place);
+    }
+}
+
+int Encounter::approach_sign() const
+{
+    if (b_)
+        return certified_ ? PairQuery(state_, a_, body_, *b_, partner_.index).approach_sign()
+                          : carom::approach_sign(separation_, velocity());
+    const double sum = normal_.dot(a_.velocity);
+    if (!certified_ || std::abs(sum) > 8 * u * normal_.cwiseProduct(a_.velocity).cwiseAbs().sum())
+        return sum < 0 ? -1 : sum > 0 ? 1 : 0;
+    return PlaneQuery(state_, a_, body_, partner_.index).w().sign();
+}
+
+double Encounter::penetration() const
+{
+    if (!b_)
+        return certified_ ? PlaneQuery(state_, a_, body_, partner_.index).overlap()
+                          : std::max(0.0, -height_above(state_, body_, partner_.index, a_.place));
+    if (certified_) return PairQuery(state_, a_, body_, *b_, partner_.index).overlap();
+    return std::max(0.0, state_.radius(body_) + state_.radius(partner_.index) - distance_);
+}
+
+}  // namespace carom

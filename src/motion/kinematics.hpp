@@ -1,0 +1,122 @@
+/// \file
+/// When contacts come, and where bodies are then: what a schedule and a response ask of the motions. One interface for
+/// both number types of a run.
+#pragma once
+
+#include "motion/relative.hpp"
+#include "toi/enclosure.hpp"
+#include "toi/sphere_plane.hpp"
+#include "toi/sphere_sphere.hpp"
+
+namespace carom {
+
+struct ContactTime {
+    bool comes = false;
+    EpochTime time = never;  ///< `never` also where it is certainly after the limit of the question
+    /// A moment certainly before the contact, by roundings at most, at which the gap is still >= 0. The contact itself
+    /// is to be asked for: `exact_time`.
+    bool rough = false;
+    bool swept = false;  ///< of the ball that a series sweeps
+};
+
+/// In double. \tparam gravity false: nothing is accelerated, and nothing bounces in series
+template <bool gravity>
+struct PlainKinematics {
+    static constexpr bool has_gravity = gravity;
+    static constexpr bool is_certified = false;
+    /// \param limit contacts after it need not be found
+    static ContactTime pair_time(const State& state, BodyId a, BodyId b, const EpochTime& limit);
+    static ContactTime plane_time(const State& state, const Moving& sphere, int plane, const EpochTime& limit);
+};
+
+/// In double-double where two bodies, or one and a plane, are in free flight; elsewhere as PlainKinematics<true>.
+struct CertifiedKinematics {
+    static constexpr bool has_gravity = true;
+    static constexpr bool is_certified = true;
+    static ContactTime pair_time(const State& state, BodyId a, BodyId b, const EpochTime& limit);
+    static ContactTime plane_time(const State& state, const Moving& sphere, int plane, const EpochTime& limit);
+    /// The moment at which a contact is carried out: a pure function of the flights, not before the rough one.
+    static EpochTime exact_time(const State& state, BodyId a, Partner b);
+};
+
+/// Is the body's flight one that certified runs evaluate in double-double?
+inline bool flies_certified(const State& state, BodyId body)
+{
+    return state.certified() && state.bodies.kind(body) == MotionKind::flying;
+}
+/// Likewise the gap of a body and its partner: it is that of a uniform motion, or of a parabola over a plane.
+bool is_certified_gap(const State& state, BodyId a, Partner b);
+
+/// The body's flight as if it began at `now`, in the run's number type. See `advanced`.
+Flight flown(const State& state, BodyId body, const EpochTime& now);
+
+/// How much later than the flights' common start a contact comes, in double-double: with bounds, to tell which of two
+/// is first. \param b flight of the partner if it is a sphere, else null
+Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner);
+
+/// A body and its partner at one moment, evaluated in the number type of their gap.
+class Encounter {
+public:
+    /// \param b flight of the partner if it is a sphere, else null; both outlive this
+    Encounter(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner);
+
+    const Vec3& normal() const { return normal_; }  ///< from b to a, unit to rounding
+    double distance() const { return distance_; }   ///< of the centres of two spheres [length]
+    Vec3 velocity() const { return b_ ? Vec3(a_.velocity - b_->velocity) : a_.velocity; }  ///< of a relative to b
+    /// The sign of d gap/dt.
+    int approach_sign() const;
+    /// Depth of the overlap, 0 where the gap is >= 0 [length].
+    double penetration() const;
+
+private:
+    const State& state_;
+    const Flight& a_;
+    const BodyId body_;
+    const Flight* const b_;
+    const Partner partner_;
+    const bool certified_;
+    Vec3 separation_ = Vec3::Zero(), normal_ = Vec3::Zero();
+    double distance_ = 0;
+};
+
+/// from + t, or `never` if that is certainly after the limit: most contacts are, and their times need no splitting.
+inline EpochTime time_up_to(const Frame& frame, const EpochTime& from, double t, const EpochTime& limit)
+{
+    const double left = frame.between(from, limit);
+    // between() and after() round by u of their sizes, and by u of an epoch, each.
+    constexpr double roundings = 8 * unit_roundoff;
+    return t > left + roundings * (std::abs(left) + frame.epoch_length) ? never : frame.after(from, t);
+}
+
+template <bool gravity>
+ContactTime PlainKinematics<gravity>::pair_time(const State& state, BodyId a, BodyId b, const EpochTime& limit)
+{
+    const auto persists = [&] { return state.bodies.contacts().between(a, Partner::sphere(b)); };
+    if constexpr (!gravity) {
+        const auto m = relative_motion<double, false>(state, state.flight(a), state.flight(b));
+        const Root root = sphere_sphere_root(m.r, m.v, state.radius(a) + state.radius(b));
+        if (root.kind == RootKind::none || persists()) return {};
+        return {true, time_up_to(state.frame, m.from, root.t, limit)};
+    } else {
+        const PairMotion m = pair_motion(state, moving(state, a), moving(state, b));
+        // Quartics are dear: first what may spare them.
+        const bool quartic = m.acceleration_a != m.acceleration_b;
+        if (quartic && (persists() || meet_too_late(state, a, b, m, limit))) return {};
+        const Root root = pair_root(state, m);
+        if (root.kind == RootKind::none || (!quartic && persists())) return {};
+        return {true, time_up_to(state.frame, m.from, root.t, limit), false, m.swept};
+    }
+}
+
+template <bool gravity>
+ContactTime PlainKinematics<gravity>::plane_time(const State& state, const Moving& sphere, int p,
+                                                 const EpochTime& limit)
+{
+    if (recedes(state, sphere, p)) return {};
+    const PlaneMotion m = plane_motion(state, sphere, p);
+    const Root root = gravity ? plane_root(m.h, m.w, m.g) : uniform_plane_root(m.h, m.w);
+    if (root.kind == RootKind::none) return {};
+    return {true, time_up_to(state.frame, sphere.flight.start, root.t, limit)};
+}
+
+}  // namespace carom

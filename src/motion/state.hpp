@@ -1,0 +1,84 @@
+/// \file
+/// Everything an event-driven run knows at a moment: the motions of its bodies, which contacts closed lately, and the
+/// constants of the scene in the form the run needs.
+#pragma once
+
+#include "contact/contact_laws.hpp"
+#include "contact/recent_impacts.hpp"
+#include "motion/bodies.hpp"
+
+#include <carom/simulate.hpp>
+
+namespace carom {
+
+/// Two contacts whose gaps close within this fraction of the radius belong to one instant, unless the scene says
+/// otherwise.
+inline constexpr double default_tie = 1e-12;
+
+struct State {
+    State(const Scene& scene, Precision precision);
+
+    const Scene& scene;
+    const Precision precision;
+    const Frame frame;
+    const ContactLaws laws;
+    const RestThresholds rest;
+    const bool loses_energy;  ///< some e < 1
+    /// v_c tau_p / 4, the height of a rebound of v_c that lasts tau_p: smaller gaps are closed as far as impacts are
+    /// concerned where a contact closed less than tau_p ago (this project; without it they close one after the other,
+    /// ever again, as Gauss and Seidel would have it). 0 where all e = 1 or policy contact does not hold, and in
+    /// certified runs [length].
+    const double rebound_gap;
+
+    Bodies bodies;
+    RecentImpacts recent;  ///< of contacts with e < 1
+
+    bool certified() const { return precision == Precision::certified; }
+    BodyId count() const { return bodies.count(); }
+    const Sphere& sphere(BodyId body) const { return scene.spheres[static_cast<std::size_t>(body)]; }
+    const Plane& plane(int p) const { return scene.planes[static_cast<std::size_t>(p)]; }
+    int planes() const { return static_cast<int>(scene.planes.size()); }
+    double radius(BodyId body) const { return bodies.radius(body); }
+    const Flight& flight(BodyId body) const { return bodies.flight(body); }
+    const Vec3& acceleration(const Flight& flight) const { return bodies.acceleration(flight); }
+    /// The scene's, where there is nothing else [length/time^2].
+    const Vec3& gravity() const { return bodies.accelerations()[bodies.accelerations().free()]; }
+
+    bool is_fixed(BodyId body) const { return bodies.kind(body) == MotionKind::fixed; }
+    bool is_fixed(Partner partner) const { return partner.is_sphere() && is_fixed(partner.index); }
+    bool is_movable(Partner partner) const { return partner.is_sphere() && !is_fixed(partner.index); }
+    /// 0 for what does not move [1/mass].
+    double inverse_mass(BodyId body) const { return is_fixed(body) ? 0 : 1 / sphere(body).mass; }
+    double inverse_mass(Partner partner) const { return partner.is_sphere() ? inverse_mass(partner.index) : 0; }
+    /// The smaller radius of a contact [length].
+    double smaller_radius(BodyId a, Partner b) const
+    {
+        return b.is_sphere() ? std::min(radius(a), radius(b.index)) : radius(a);
+    }
+    const ContactLaw& law(BodyId a, Partner b) const
+    {
+        const int material = sphere(a).material;
+        return b.is_sphere() ? laws.spheres(material, sphere(b.index).material)
+                             : laws.plane(material, plane(b.index).material);
+    }
+
+    /// A partner as events name it, and back.
+    BodyId body_of(Partner partner) const { return partner.is_sphere() ? partner.index : count() + partner.index; }
+    Partner partner_of(BodyId body) const
+    {
+        return body < count() ? Partner::sphere(body) : Partner::plane(body - count());
+    }
+
+    /// Contacts with gaps up to this belong to the instant of another [length]. \param radius the smaller one
+    double tie(double radius) const { return scene.impact.tie.value_or(default_tie) * radius; }
+    /// Does a contact with this gap belong to the instant `now` of another? If it closed less than tau_p ago it does up
+    /// to rebound_gap.
+    bool ties(BodyId a, Partner b, double gap, const EpochTime& now) const
+    {
+        return gap <= tie(smaller_radius(a, b)) || (gap <= rebound_gap && recent.has(a, body_of(b), now));
+    }
+    /// Beyond this gap no contact belongs to the instant of another one of the body [length].
+    double widest_tie(BodyId body) const { return std::max(rebound_gap, tie(radius(body))); }
+};
+
+}  // namespace carom

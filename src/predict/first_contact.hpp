@@ -1,0 +1,45 @@
+/// \file
+/// The earliest event of a body that no other sphere has a part in: a plane, the end of its series or of its piece.
+#pragma once
+
+#include "motion/kinematics.hpp"
+#include "queue/key.hpp"
+
+namespace carom {
+
+/// How an event of its own ends a body's motion. \pre the motion has an end
+inline Key own_end(const State& state, BodyId body)
+{
+    const EpochTime time = end_of(state.bodies.motion(body), state.frame, state.flight(body).start);
+    if (const auto* bouncing = state.bodies.as<Bouncing>(body))
+        return {time, Scheduled::series_end, body, Partner::plane(bouncing->plane)};
+    return {time, Scheduled::piece_end, body, {}};
+}
+
+/// Offers to `take(key, rough)` each event of `body` with itself and with planes, in no particular order. Planes that
+/// carry the body are left out, and so may be what comes after `best`, the time of the best one so far.
+template <class Kinematics, class Take>
+void offer_planes(const State& state, BodyId body, Counts& counts, const EpochTime& best, const Take& take)
+{
+    const MotionKind kind = state.bodies.kind(body);
+    const bool bounces = kind == MotionKind::bouncing;
+    int carrier = state.planes();
+    if (kind != MotionKind::flying) {
+        if (bounces || state.bodies.is_in_piece(body)) take(own_end(state, body), false);
+        if (const auto* leaning = state.bodies.as<Leaning>(body)) carrier = leaning->plane;
+        if (const auto* bouncing = state.bodies.as<Bouncing>(body)) carrier = bouncing->plane;
+    }
+    const bool several = state.bodies.is_held_by_several(body);
+    const Moving sphere = moving(state, body);
+    counts.pair_tests += state.planes();
+    for (int p = 0; p < state.planes(); ++p) {
+        const Partner plane = Partner::plane(p);
+        if (p == carrier || (several && state.bodies.contacts().between(body, plane))) continue;
+        const ContactTime contact = Kinematics::plane_time(state, sphere, p, best);
+        if (!contact.comes) continue;
+        ++counts.root_solves;
+        take({contact.time, bounces ? Scheduled::intrusion : Scheduled::plane_impact, body, plane}, contact.rough);
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,113 @@
+#include "projection/primal_dual_active_set.hpp"
+
+#include "projection/dense_products.hpp"
+#include "projection/sparse_products.hpp"
+#include "projection/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+
+namespace {
+
+/// \tparam Products of the active normals, factored
+template <class Products>
+class PrimalDualActiveSet {
+public:
+    /// \param tolerance of slacks
+    PrimalDualActiveSet(const ProjectionProblem& problem, std::span<const UnitNormal> normals, Products products,
+                        std::span<const double> guess, double tolerance)
+        : problem_(problem), normals_(normals), products_(std::move(products)), tolerance_(tolerance)
+    {
+        for (const double multiplier : guess) is_active_.push_back(multiplier > 0);
+        out_.multipliers.assign(normals.size(), 0);
+        out_.complete = false;
+    }
+
+    Projection solve()
+    {
+        for (out_.steps = 1; out_.steps <= most_set_changes; ++out_.steps) {
+            if (!products_.follow(is_active_)) break;
+            find_multipliers();
+            if (!change_active()) {
+                out_.complete = largest_slack() <= tolerance_;
+                break;
+            }
+        }
+        return std::move(out_);
+    }
+
+private:
+    /// That leave no slack, by the slacks that the point really has.
+    void find_multipliers()
+    {
+        out_.multipliers.assign(normals_.size(), 0);
+        double before = std::numeric_limits<double>::infinity();
+        for (int round = 0; round <= Products::refinements; ++round) {
+            place_point();
+            const double left = largest_slack();
+            if (round > 0 && (left <= refined_enough * problem_.tolerance || left > before / 2)) return;
+            before = left;
+            std::vector<double> missing(normals_.size(), 0);
+            for (std::size_t i = 0; i < missing.size(); ++i)
+                if (is_active_[i]) missing[i] = -slack(problem_.half_spaces[i], out_.point) / normals_[i].length;
+            const std::vector<double> more = products_.multipliers(missing);
+            for (std::size_t i = 0; i < more.size(); ++i) out_.multipliers[i] += more[i] / normals_[i].length;
+        }
+        place_point();
+    }
+
+    void place_point()
+    {
+        out_.point = problem_.start;
+        for (std::size_t i = 0; i < normals_.size(); ++i)
+            if (is_active_[i]) push(problem_.half_spaces[i], problem_.w, out_.multipliers[i], out_.point);
+    }
+
+    bool change_active()
+    {
+        bool some = false;
+        for (std::size_t i = 0; i < is_active_.size(); ++i) {
+            const bool wrong =
+                is_active_[i] ? out_.multipliers[i] < 0 : slack(problem_.half_spaces[i], out_.point) < -tolerance_;
+            if (!wrong) continue;
+            is_active_[i] = !is_active_[i];
+            some = true;
+        }
+        return some;
+    }
+
+    /// Of the active ones, either way.
+    double largest_slack() const
+    {
+        double out = 0;
+        for (std::size_t i = 0; i < normals_.size(); ++i) {
+            if (!is_active_[i]) continue;
+            out = std::max(out, std::abs(slack(problem_.half_spaces[i], out_.point)));
+        }
+        return out;
+    }
+
+    const ProjectionProblem& problem_;
+    std::span<const UnitNormal> normals_;
+    Products products_;
+    const double tolerance_;
+    std::vector<char> is_active_;  ///< by half-space
+    Projection out_;
+};
+
+}  // namespace
+
+Projection primal_dual_active_set(const ProjectionProblem& problem, std::span<const double> guess, Factors factors)
+{
+    const std::vector<UnitNormal> normals = unit_normals(problem);
+    if (factors == Factors::dense)
+        return PrimalDualActiveSet(problem, normals, DenseProducts(normals), guess, problem.tolerance).solve();
+    return PrimalDualActiveSet(problem, normals, SparseProducts(normals, problem.start.size()), guess,
+                               sparse_tolerances * problem.tolerance)
+        .solve();
+}
+
+}  // namespace carom

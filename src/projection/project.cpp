@@ -1,0 +1,85 @@
+#include "projection/project.hpp"
+
+#include "projection/augmented_lagrangian.hpp"
+#include "projection/components.hpp"
+#include "projection/dual_active_set.hpp"
+#include "projection/gauss_seidel.hpp"
+#include "projection/primal_dual_active_set.hpp"
+
+#include <numeric>
+
+namespace carom {
+
+namespace {
+
+bool is_satisfied(const ProjectionProblem& problem, const Component& part)
+{
+    for (const int i : part.half_spaces)
+        if (slack(problem.half_spaces[static_cast<std::size_t>(i)], problem.start) < -problem.tolerance) return false;
+    return true;
+}
+
+Projection solve_dense(const ProjectionProblem& part, std::span<const double> guess)
+{
+    Projection out;
+    out.complete = false;
+    if (!guess.empty()) out = primal_dual_active_set(part, guess, Factors::dense);
+    return out.complete ? out : dual_active_set(part).projection;
+}
+
+Projection solve_sparse(const ProjectionProblem& part, std::span<const double> guess)
+{
+    std::vector<double> swept;
+    if (guess.empty()) {
+        swept = gauss_seidel(part, first_sweeps, std::vector<double>(part.half_spaces.size(), 0.0)).multipliers;
+        guess = swept;
+    }
+    Projection out = primal_dual_active_set(part, guess, Factors::sparse);
+    if (!out.complete) out = augmented_lagrangian(part, guess).projection;
+    return out;
+}
+
+Projection solve(const ProjectionProblem& part, std::span<const double> guess)
+{
+    Projection out = part.half_spaces.size() <= dense_limit ? solve_dense(part, guess) : solve_sparse(part, guess);
+    if (!out.complete) out = gauss_seidel(part, last_sweeps, std::move(out.multipliers));
+    return out;
+}
+
+}  // namespace
+
+Projection project(const ProjectionProblem& problem, std::span<const int> chosen, std::span<const double> guess)
+{
+    Projection out{problem.start, std::vector<double>(problem.half_spaces.size(), 0.0), true, 0};
+    for (const Component& part : components(problem.half_spaces, chosen, problem.start.size())) {
+        if (is_satisfied(problem, part)) continue;
+        if (part.half_spaces.size() == 1) {
+            const auto i = static_cast<std::size_t>(part.half_spaces.front());
+            const HalfSpace& h = problem.half_spaces[i];
+            out.multipliers[i] = -slack(h, problem.start) / normal_length2(h, problem.w);
+            push(h, problem.w, out.multipliers[i], out.point);
+            ++out.steps;
+            continue;
+        }
+        std::vector<double> part_guess;
+        if (!guess.empty())
+            for (const int i : part.half_spaces) part_guess.push_back(guess[static_cast<std::size_t>(i)]);
+        const Projection solved = solve(part_of(problem, part), part_guess);
+        out.complete = out.complete && solved.complete;
+        out.steps += solved.steps;
+        for (std::size_t k = 0; k < part.vectors.size(); ++k)
+            out.point[static_cast<std::size_t>(part.vectors[k])] = solved.point[k];
+        for (std::size_t k = 0; k < part.half_spaces.size(); ++k)
+            out.multipliers[static_cast<std::size_t>(part.half_spaces[k])] = solved.multipliers[k];
+    }
+    return out;
+}
+
+Projection project(const ProjectionProblem& problem, std::span<const double> guess)
+{
+    std::vector<int> all(problem.half_spaces.size());
+    std::iota(all.begin(), all.end(), 0);
+    return project(problem, all, guess);
+}
+
+}  // namespace carom

@@ -1,0 +1,51 @@
+/// \file
+/// The tolerances of the discrete methods: unit, value, reason.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace carom::stepping {
+
+/// Remainder [steps] of until / dt that is no step of its own: rounding of dt and of the quotient, u each, for
+/// up to 4e6 steps.
+inline constexpr double step_remainder = 1e-9;
+/// Number of steps [1] in place of all larger ones: 64 bits hold 9.2e18.
+inline constexpr double most_steps = 9e18;
+
+/// Looks [substeps] at clock and observer in small scenes are so far apart: they cost nothing then.
+inline constexpr std::int64_t longest_watch_period = 64;
+/// Spheres [1] whose substeps lie between two looks in large scenes, where a substep takes milliseconds.
+inline constexpr std::int64_t spheres_between_looks = 4096;
+
+/// Change of a velocity in a sweep [largest velocity that was lacking] that ends a contact solver: some hundred units
+/// in the last place, which sums of impulses leave.
+inline constexpr double solved_contacts = 1e-13;
+
+/// Halvings [1] of a bracket: lo and hi are neighbours then, unless lo is many orders below hi.
+inline constexpr int most_halvings = 64;
+/// Responses in a substep of bisection [1] for each scene: where bounces accumulate a substep would not end.
+inline constexpr std::int64_t most_responses = 100;
+/// Responses in a substep of bisection for each sphere [1], beside `most_responses`.
+inline constexpr std::int64_t most_responses_a_sphere = 10;
+
+/// Place [cells from the home of a grid] beyond which spheres are handled one by one: below it the rounding of position / edge,
+/// two of u 2^30, stays under 2.4e-7 of a cell, less than `cell_slack`, and cell numbers fit 32 bits.
+inline constexpr double farthest_cell = 1 << 30;
+/// Edge of a cell beyond the largest diameter [1]: see `farthest_cell`.
+inline constexpr double cell_slack = 1e-6;
+/// Cells [1] of a grid at least: with an odd stride of 5 the 27 cells around one are still distinct.
+inline constexpr std::uint32_t fewest_cells = 64;
+/// Cells and spheres [1] of a grid at most: numbers of entries, which repeat some, fit 32 bits.
+inline constexpr std::uint32_t most_cells = 1U << 30;
+/// Cells for each sphere [1] of a grid at least: most are empty, so that a range seldom holds strangers.
+inline constexpr std::uint32_t cells_a_sphere = 4;
+/// Candidates [1] that are written at once, whatever their number: ranges are short and their lengths random, so loops
+/// over them are mispredicted. 62 us became 40 us for 1000 spheres.
+inline constexpr std::uint32_t gather_width = 4;
+/// Ranges [1] that are gathered for a sphere: the rest of its own row and the four rows ahead.
+inline constexpr std::size_t ranges_a_sphere = 5;
+/// Candidates [1] that are tested in one loop: 4 KiB, which stay in the first cache.
+inline constexpr std::size_t most_candidates = 512;
+
+}  // namespace carom::stepping

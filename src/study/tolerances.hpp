@@ -1,0 +1,78 @@
+/// \file
+/// The tolerances of studies: what is compared, timed and said, with unit, value, reason.
+#pragma once
+
+#include <cstddef>
+
+namespace carom::study {
+
+// Comparison with the reference.
+
+/// Tolerance [m] by default of scenes in metres: a millimetre, which everybody can picture.
+inline constexpr double pictured_tolerance = 1e-3;
+/// Tolerance [smallest radius] below which a millimetre is too small to be asked for: steps would have to be tiny.
+inline constexpr double least_pictured = 1e-4;
+/// Tolerance [smallest radius] above which a millimetre is no precision: half of a sphere.
+inline constexpr double most_pictured = 0.5;
+/// Tolerance [smallest radius] by default of other scenes: what is seen on a page.
+inline constexpr double default_tolerance_part = 0.01;
+/// Distance [smallest radius] from the reference beyond which a run has diverged: an impact turns it into an angle of a
+/// hundredth, and two or three impacts into other contacts.
+inline constexpr double divergence = 0.01;
+/// Times of one impact [steps] in two runs differ by at most this: methods with a step see it at the end of one.
+inline constexpr double match_steps = 3;
+/// The same without a step [time of the run], at least: far below the time between impacts, far above rounding.
+inline constexpr double match_part_of_run = 1e-6;
+/// Flight [steps] of a bounce below which no method with a step is asked for it. No derivation is known.
+inline constexpr double shortest_flight_steps = 4;
+/// Length of a series of bounces [1, part of it] that rounding may take from it; a body that breaks one off takes more.
+inline constexpr double series_rounding = 1e-9;
+/// Gap [radius] of a contact that lasts: far above rounding, far below anything seen.
+inline constexpr double lasting_contact = 1e-6;
+/// Mismatches [impacts] that are gathered before they are sorted for the 200 that are listed: each is then sorted once
+/// or twice.
+inline constexpr std::size_t mismatches_between_sorts = 2000;
+
+// Clocks.
+
+/// Time [s] of a tick of the clock's second number.
+inline constexpr double nanosecond = 1e-9;
+/// Time [s] that runs fill together: a thousand times the cost of reading the clock.
+inline constexpr double resolved_by_clock = 2e-3;
+/// Runs [1] in a row at most: even one of a microsecond then fills half of `resolved_by_clock`.
+inline constexpr double most_runs_in_a_row = 1000;
+/// Repeats [runs] of a timing by default: the median of three leaves one disturbance out.
+inline constexpr int timing_repeats = 3;
+/// Time [s] for all repeats together: nobody waits longer for a row.
+inline constexpr double timing_budget = 5;
+/// Work of the event method [steps], a guess for the progress line only.
+inline constexpr double event_run_in_steps = 1000;
+/// Spheres [1] up to which looking at all of them costs less than stopping the clock for it.
+inline constexpr std::size_t few_to_look_at = 30;
+/// Spheres [1] that an event-driven run is looked at, all looks together: at 700 instructions each they cost half as
+/// much as one second of gas_1000.
+inline constexpr std::size_t most_spheres_looked_at = 25'000;
+/// Intervals [1] between looks at least, where those are not even one look: a run is looked at when it begins, in its
+/// middle and at its end.
+inline constexpr std::size_t fewest_looks = 2;
+
+// Words.
+
+/// Factor [1] between two steps up to which a linear range between them is advised, beyond it a logarithmic one.
+inline constexpr double linear_range_factor = 2;
+/// Factor [1] between two steps that is an answer: nobody needs a step to more than a tenth.
+inline constexpr double fine_bracket = 1.1;
+/// Digits [1] of a time in a sentence: more are noise there.
+inline constexpr int time_digits = 5;
+/// Digits [1] of a step that is no fraction and no short decimal: more are noise there.
+inline constexpr int step_digits = 4;
+/// Denominator [1] of a fraction that is written as one: more digits are no shorter.
+inline constexpr double largest_denominator = 1e9;
+/// Distance [1, part of it] of a step from a fraction that it is: ranges miss 1/n by a rounding or two.
+inline constexpr double same_step = 1e-12;
+/// Length [m] below which no prefix helps: a nanometre is the smallest that is named.
+inline constexpr double smallest_named_length = 1e-9;
+/// Length [m] from which on metres are written.
+inline constexpr double metres_from = 1;
+
+}  // namespace carom::study

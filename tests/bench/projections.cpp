@@ -1,0 +1,135 @@
+// Measured rows of projection/tolerances.hpp: what the solvers of projections take on the contacts of piles.
+#include "../unit/projection/pile_problem.hpp"
+
+#include "projection/active_factor.hpp"
+#include "projection/augmented_lagrangian.hpp"
+#include "projection/dual_active_set.hpp"
+#include "projection/gauss_seidel.hpp"
+#include "projection/primal_dual_active_set.hpp"
+
+#include <chrono>
+#include <cstdio>
+
+using namespace carom;
+
+namespace {
+
+double seconds()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Milliseconds that a call takes.
+template <class Call>
+double milliseconds(Call&& call)
+{
+    const double start = seconds();
+    call();
+    return 1e3 * (seconds() - start);
+}
+
+std::vector<double> swept(const ProjectionProblem& problem, int sweeps)
+{
+    return gauss_seidel(problem, sweeps, std::vector<double>(problem.half_spaces.size(), 0.0)).multipliers;
+}
+
+/// Largest error of the slacks, in tolerances.
+double error_left(const ProjectionProblem& problem, const Projection& solved)
+{
+    double out = 0;
+    for (std::size_t i = 0; i < problem.half_spaces.size(); ++i) {
+        const double left = slack(problem.half_spaces[i], solved.point);
+        out = std::max(out, solved.multipliers[i] > 0 ? std::abs(left) : -left);
+    }
+    return out / problem.tolerance;
+}
+
+/// Masses as they are, or a hundred times as much for every third body.
+std::vector<ProjectionProblem> problems(int side)
+{
+    std::vector<ProjectionProblem> out;
+    for (const bool falling : {true, false})
+        for (const bool uneven : {false, true}) {
+            out.push_back(test::pile_problem(side, side, falling));
+            for (std::size_t k = 0; uneven && k < out.back().w.size(); k += 3) out.back().w[k] = 0.01;
+        }
+    return out;
+}
+
+void augmented_lagrangians()
+{
+    int newton_steps = 0, factorisations = 0, updates = 0, incomplete = 0;
+    double left = 0;
+    for (const int side : {3, 5, 8, 10})
+        for (const ProjectionProblem& problem : problems(side)) {
+            const AugmentedLagrangianResult solved = augmented_lagrangian(problem, swept(problem, 30));
+            newton_steps += solved.newton_steps;
+            factorisations += solved.factorisations;
+            updates += solved.updates;
+            incomplete += solved.projection.complete ? 0 : 1;
+            left = std::max(left, error_left(problem, solved.projection));
+        }
+    std::printf(
+        "augmented Lagrangian, 16 piles: %d Newton steps, %d factorisations, %d updates, %d incomplete, "
+        "at most %.1f tolerances left\n",
+        newton_steps, factorisations, updates, incomplete, left);
+}
+
+void price_of_updates()
+{
+    const ProjectionProblem problem = test::pile_problem(10, 10, true);
+    const std::vector<UnitNormal> normals = unit_normals(problem);
+    std::vector<std::pair<int, int>> edges;
+    std::vector<BlockCholesky::Column> columns;
+    for (const UnitNormal& n : normals) {
+        if (n.b) edges.emplace_back(n.a, *n.b);
+        columns.push_back(n.scaled(10));
+    }
+    BlockCholesky cholesky(static_cast<int>(problem.start.size()), edges);
+    cholesky.factor(columns);
+    constexpr int repeats = 20;
+    const double factor = milliseconds([&] {
+                              for (int k = 0; k < repeats; ++k) cholesky.factor(columns);
+                          }) /
+                          (repeats * cholesky.factor_cost());
+    double cost = 0;
+    const double update = milliseconds([&] {
+        for (std::size_t i = 0; i < columns.size(); i += 2) {
+            cholesky.update(columns[i], 1);
+            cost += cholesky.update_cost(columns[i]);
+        }
+    });
+    std::printf("a multiplication of an update takes %.1f times as long as one of a factorisation\n",
+                update / cost / factor);
+}
+
+void dense_and_sparse()
+{
+    for (const int side : {2, 3, 4, 5, 6})
+        for (const ProjectionProblem& problem : problems(side)) {
+            int steps = 0;
+            const double dense = milliseconds([&] { steps = dual_active_set(problem).projection.steps; });
+            std::printf("%4zu half-spaces: dual active set %4d steps %8.3f ms", problem.half_spaces.size(), steps,
+                        dense);
+            for (const int sweeps : {3, 10, 30, 100}) {
+                Projection sparse;
+                const double time = milliseconds(
+                    [&] { sparse = primal_dual_active_set(problem, swept(problem, sweeps), Factors::sparse); });
+                std::printf(" | %3d sweeps, %d rounds%s %7.3f ms", sweeps, sparse.steps,
+                            sparse.complete ? "" : " (incomplete)", time);
+            }
+            std::printf("\n");
+        }
+    const ProjectionProblem large = test::pile_problem(10, 10, true);
+    std::printf("%4zu half-spaces: 1000 sweeps %.0f ms\n", large.half_spaces.size(),
+                milliseconds([&] { swept(large, 1000); }));
+}
+
+}  // namespace
+
+int main()
+{
+    augmented_lagrangians();
+    price_of_updates();
+    dense_and_sparse();
+}
