@@ -30,9 +30,9 @@ double energy_difference(const Scene& scene, std::span<const BodyState> a, std::
 /// sum m v [mass length/time].
 Vec3 momentum(const Scene& scene, std::span<const BodyState> states);
 
-/// Deepest overlap of two spheres, or of a sphere and a plane, of which one can move, >= 0 [length]. Sort and sweep
-/// along the axis on which the spheres are spread the widest (Cohen, Lin, Manocha, Ponamgi, I-COLLIDE, 1995). Bodies
-/// with a non-finite state are left out.
+/// Deepest overlap of two spheres, or of a sphere and a plane, >= 0 [length], in time proportional to spheres and
+/// overlaps (a grid for each size class). Two bodies that cannot move overlap as they like, and bodies with a
+/// non-finite state are left out.
 double max_penetration(const Scene& scene, std::span<const BodyState> states);
 
 /// Spheres that can move and whose centre is outside a half-space (plates have no outside), or whose state is not

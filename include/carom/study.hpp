@@ -17,10 +17,14 @@ namespace carom {
 /// Equal intervals at which studies look at a run.
 inline constexpr std::size_t study_intervals = 200;
 
+/// Equal intervals at which `run_study` looks at an event-driven run of so many spheres: `study_intervals` up to 125
+/// spheres; for more of them fewer, though not less than 2, so that looking costs no more than an ordinary run itself.
+std::size_t look_intervals(std::size_t spheres);
+
 struct RunStudyOptions {
     RunOptions run;
-    std::size_t intervals = study_intervals;  ///< >= 1
-    std::vector<double> more_times;           ///< ascending, in [0, until]: looked at as well [time]
+    std::optional<std::size_t> intervals;  ///< >= 1; none: `look_intervals`; discrete: 200
+    std::vector<double> more_times;        ///< ascending, in [0, until]: looked at as well [time]
     /// Gets each state that is looked at; may be empty.
     std::function<void(double time, std::span<const BodyState>)> on_state;
     std::function<void(const Event&)> on_event;          ///< may be empty; its time counts as the run's

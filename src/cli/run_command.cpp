@@ -128,12 +128,15 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
     if (recording) recording->finish(run.outcome);
 
     const io::CommandFacts facts = session.watch.facts();
-    const std::string json =
-        io::run_json(scene, settings.method, run, {.always_final = settings.always_final, .command = facts});
-    if (!args.out.empty()) write_file(std::filesystem::path(args.out) / "run.json", json);
-    if (!events_to_stdout)
-        console.out << (global.json ? json : run_table(scene, run, facts));
-    else if (!global.quiet)
+    if (global.json || !args.out.empty()) {
+        const std::string json =
+            io::run_json(scene, settings.method, run, {.always_final = settings.always_final, .command = facts});
+        if (!args.out.empty()) write_file(std::filesystem::path(args.out) / "run.json", json);
+        if (global.json) console.out << json;
+    }
+    if (!events_to_stdout && !global.json)
+        console.out << run_table(scene, run, facts);
+    else if (events_to_stdout && !global.quiet)
         console.err << run_table(scene, run, facts);
     const Outcome& outcome = run.outcome;
     if (outcome.status != Status::reached_end && !global.quiet)

@@ -25,6 +25,9 @@ inline constexpr std::uint64_t most_epochs = std::uint64_t{1} << 53;
 /// Digits [1] after the point of the smallest subnormal, 2^-1074: each halving adds one.
 inline constexpr int most_fraction_digits = 1074;
 
+/// Indent [spaces] of a level of JSON that is written: enough to be seen.
+inline constexpr std::size_t json_indent = 2;
+
 // Messages.
 
 /// Problems [lines] of a file that are named; the others are counted.

@@ -1,10 +1,14 @@
 #include "io/run_json.hpp"
 
+#include "io/json_text.hpp"
 #include "io/lift_json.hpp"
+#include "io/limits.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+
+#include <string_view>
 
 namespace carom::io {
 
@@ -69,27 +73,64 @@ Json pressure_json(const Scene& scene, const RunStudy& run)
     return {{"virial_z", nullptr}, {"planes", planes}};
 }
 
-Json rest_times_json(const Scene& scene, const Outcome& outcome)
+/// What follows is as long as the scene is large: it is written as text.
+void append_rest_times(std::string& text, const Scene& scene, const Outcome& outcome)
 {
-    Json::object_t times;  // ids are unique: nothing is looked up, which would take the square of their number
-    for (std::size_t i = 0; i < outcome.rest_times.size(); ++i)
-        if (outcome.rest_times[i]) times.emplace_back(scene.spheres[i].id, *outcome.rest_times[i]);
-    return Json(std::move(times));
+    constexpr std::size_t indent = json_indent, inner = indent + json_indent;
+    text += ',';
+    append_line(text, indent);
+    text += "\"rest_times\": {";
+    bool any = false;
+    for (std::size_t i = 0; i < outcome.rest_times.size(); ++i) {
+        if (!outcome.rest_times[i]) continue;
+        if (any) text += ',';
+        any = true;
+        append_line(text, inner);
+        append_string(text, scene.spheres[i].id);
+        text += ": ";
+        append_number(text, *outcome.rest_times[i]);
+    }
+    if (any) append_line(text, indent);
+    text += '}';
 }
 
-Json final_json(const Scene& scene, const Outcome& outcome)
+void append_final(std::string& text, const Scene& scene, const Outcome& outcome)
 {
-    Json states = Json::array();
+    constexpr std::size_t indent = json_indent, inner = indent + json_indent, innermost = inner + json_indent;
     const bool far = scene.origin != Vec3::Zero();
+    const auto member = [&](const char* key) {
+        append_line(text, innermost);
+        text.append(1, '"').append(key).append("\": ");
+    };
+    text += ',';
+    append_line(text, indent);
+    text += "\"final\": [";
     for (std::size_t i = 0; i < outcome.final.size(); ++i) {
         const BodyState& state = outcome.final[i];
-        Json& json = states.emplace_back(Json{{"id", scene.spheres[i].id}});
-        json["position"] = vector_json(far ? Vec3(scene.origin + state.position) : state.position);
-        if (far) json["local"] = vector_json(state.position);
-        json["velocity"] = vector_json(state.velocity);
-        json["mode"] = name(state.mode);
+        if (i > 0) text += ',';
+        append_line(text, inner);
+        text += '{';
+        member("id");
+        append_string(text, scene.spheres[i].id);
+        text += ',';
+        member("position");
+        append_vector(text, far ? Vec3(scene.origin + state.position) : state.position, innermost);
+        text += ',';
+        if (far) {
+            member("local");
+            append_vector(text, state.position, innermost);
+            text += ',';
+        }
+        member("velocity");
+        append_vector(text, state.velocity, innermost);
+        text += ',';
+        member("mode");
+        append_string(text, name(state.mode));
+        append_line(text, inner);
+        text += '}';
     }
-    return states;
+    if (!outcome.final.empty()) append_line(text, indent);
+    text += ']';
 }
 
 }  // namespace
@@ -128,9 +169,12 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
     put_seconds(json, options.command);
     json["event_hash"] = step == nullptr ? Json(fmt::format("{:016x}", outcome.event_hash)) : Json(nullptr);
     json["pressure"] = pressure_json(scene, run);
-    json["rest_times"] = rest_times_json(scene, outcome);
-    if (options.always_final || outcome.final.size() <= max_final_spheres) json["final"] = final_json(scene, outcome);
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    std::string text = json.dump(static_cast<int>(json_indent), ' ', false, Json::error_handler_t::replace);
+    constexpr std::string_view end = "\n}";
+    text.resize(text.size() - end.size());
+    append_rest_times(text, scene, outcome);
+    if (options.always_final || outcome.final.size() <= max_final_spheres) append_final(text, scene, outcome);
+    return text.append(end).append("\n");
 }
 
 }  // namespace carom::io

@@ -17,12 +17,7 @@ constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_
 
 class CheckReader {
 public:
-    explicit CheckReader(const SceneDraft& draft) : draft_(draft)
-    {
-        for (const Sphere& sphere : draft.scene.spheres) ids_.push_back(sphere.id);
-        for (const Plane& plane : draft.scene.planes) ids_.push_back(plane.id);
-        for (std::size_t i = 0; i < ids_.size(); ++i) bodies_.try_emplace(ids_[i], static_cast<BodyId>(i));
-    }
+    explicit CheckReader(const SceneDraft& draft) : draft_(draft) {}
 
     std::optional<Check> read(ObjectView& view)
     {
@@ -46,7 +41,7 @@ public:
     }
 
 private:
-    void read_key(CheckKey key, ObjectView& view, Check& check) const
+    void read_key(CheckKey key, ObjectView& view, Check& check)
     {
         const auto whole = [&](const char* name) {
             return static_cast<std::int64_t>(view.integer(name, 0, most).value_or(0));
@@ -88,8 +83,15 @@ private:
         view.never({"tolerance", "tol"}, "did you mean \"abs\" or \"rel\"?");
     }
 
+    void know_bodies()
+    {
+        for (const Sphere& sphere : draft_.scene.spheres) ids_.push_back(sphere.id);
+        for (const Plane& plane : draft_.scene.planes) ids_.push_back(plane.id);
+        for (std::size_t i = 0; i < ids_.size(); ++i) bodies_.try_emplace(ids_[i], static_cast<BodyId>(i));
+    }
+
     /// The two bodies of an impact, one of which may be a plane.
-    std::optional<std::array<BodyId, 2>> pair(const Place& place, Problems& problems) const
+    std::optional<std::array<BodyId, 2>> pair(const Place& place, Problems& problems)
     {
         const std::vector<Place> names = as_list(place, problems);
         if (names.size() != 2) {
@@ -99,21 +101,23 @@ private:
         return std::array{any_body(names[0], problems), any_body(names[1], problems)};
     }
 
-    BodyId sphere(const Place& place, Problems& problems) const
+    BodyId sphere(const Place& place, Problems& problems)
     {
         return named(place, draft_.scene.spheres.size(), "no sphere has the id ", problems);
     }
 
-    BodyId any_body(const Place& place, Problems& problems) const
+    BodyId any_body(const Place& place, Problems& problems)
     {
-        return named(place, ids_.size(), "no sphere or plane has the id ", problems);
+        return named(place, draft_.scene.spheres.size() + draft_.scene.planes.size(), "no sphere or plane has the id ",
+                     problems);
     }
 
     /// One of the first `count` bodies.
-    BodyId named(const Place& place, std::size_t count, const char* missing, Problems& problems) const
+    BodyId named(const Place& place, std::size_t count, const char* missing, Problems& problems)
     {
         const auto id = as_string(place, problems);
         if (!id) return no_body;
+        if (bodies_.empty()) know_bodies();  // most scenes have no check that names a body
         const auto found = bodies_.find(*id);
         if (found != bodies_.end() && static_cast<std::size_t>(found->second) < count) return found->second;
         if (!draft_.bodies_complete) return no_body;  // it may be one of those left out

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <iterator>
 
 #include "core/text.hpp"
 #include "io/limits.hpp"
@@ -114,6 +115,16 @@ FillSpec read_fill(ObjectView& view, ObjectView& root, const SceneDraft& draft, 
     return fill;
 }
 
+void add_spheres(std::vector<Sphere> spheres, const std::string& pointer, SceneDraft& draft)
+{
+    std::vector<Sphere>& all = draft.scene.spheres;
+    draft.places.spheres.resize(all.size() + spheres.size(), pointer);
+    if (all.empty())
+        all = std::move(spheres);
+    else
+        all.insert(all.end(), std::move_iterator(spheres.begin()), std::move_iterator(spheres.end()));
+}
+
 }  // namespace
 
 void read_fills(ObjectView& root, SceneDraft& draft)
@@ -138,10 +149,7 @@ void read_fills(ObjectView& root, SceneDraft& draft)
             problems.add_lines({place.pointer + filled.problem});
             draft.bodies_complete = false;
         }
-        for (auto& sphere : filled.spheres) {
-            draft.scene.spheres.push_back(std::move(sphere));
-            draft.places.spheres.push_back(place.pointer);
-        }
+        add_spheres(std::move(filled.spheres), place.pointer, draft);
     }
 }
 

@@ -11,11 +11,10 @@ std::optional<int> as_material(const Place& place, const Scene& scene, Problems&
 {
     const auto name = as_string(place, problems);
     if (!name) return {};
-    std::vector<std::string> known;
-    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    for (std::size_t m = 0; m < scene.materials.size(); ++m)
         if (scene.materials[m].name == *name) return static_cast<int>(m);
-        known.push_back(scene.materials[m].name);
-    }
+    std::vector<std::string> known;
+    for (const Material& material : scene.materials) known.push_back(material.name);
     problems.add(place.pointer, "unknown material " + quoted(*name) + suggestion(*name, known, "known"));
     return {};
 }

@@ -42,6 +42,7 @@ Places place(const CubicPattern& cubic, const std::vector<double>& radii)
                          " (take fewer or smaller ones, or a larger region)";
         return places;
     }
+    places.centres.reserve(radii.size());
     for (std::size_t k = 0; k < radii.size(); ++k) {
         const Vec3 site(static_cast<double>(k % n[0]) + 0.5, static_cast<double>(k / n[0] % n[1]) + 0.5,
                         static_cast<double>(k / n[0] / n[1]) + 0.5);

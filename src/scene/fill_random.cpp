@@ -16,7 +16,8 @@ namespace {
 /// The spheres placed so far and the bodies that were there before.
 class Crowd {
 public:
-    explicit Crowd(const Scene& scene) : scene_(scene)
+    /// \param radii of those to come
+    Crowd(const Scene& scene, const std::vector<double>& radii_to_come) : scene_(scene), placed_(radii_to_come)
     {
         std::vector<double> radii;
         for (const auto& s : scene.spheres) radii.push_back(s.radius);
@@ -94,7 +95,7 @@ Places place(const RandomPattern& pattern, const std::vector<double>& radii, con
     if (!places.problem.empty()) return places;
 
     Random random(scene.seed, stream);
-    Crowd crowd(scene);
+    Crowd crowd(scene, radii);
     places.centres.assign(radii.size(), Vec3::Zero());
     std::size_t tries_left = first_random_tries + most_mean_random_tries * radii.size();
     std::size_t placed = 0;

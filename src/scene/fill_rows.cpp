@@ -8,6 +8,7 @@ namespace carom {
 Places place(const LinePattern& line, const std::vector<double>& radii)
 {
     Places places;
+    places.centres.reserve(radii.size());
     double along = 0;
     for (std::size_t k = 0; k < radii.size(); ++k) {
         if (k > 0) along += radii[k - 1] + line.gap + radii[k];
@@ -23,6 +24,7 @@ Places place(const TrianglePattern& triangle, const std::vector<double>& radii)
     const double spacing = 2 * radii.front() + triangle.gap;
     const double row_spacing = spacing * std::sqrt(3.0) / 2;
     Places places;
+    places.centres.reserve(radii.size());
     for (std::size_t row = 0; places.centres.size() < radii.size(); ++row)
         for (std::size_t k = 0; k <= row && places.centres.size() < radii.size(); ++k) {
             const double along = static_cast<double>(row) * row_spacing;

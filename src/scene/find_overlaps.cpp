@@ -19,9 +19,10 @@ struct Overlap {
 std::vector<Overlap> overlapping_spheres(const std::vector<Sphere>& spheres, Patience& patience)
 {
     std::vector<double> radii;
+    radii.reserve(spheres.size());
     for (const auto& s : spheres) radii.push_back(s.radius);
     std::vector<Overlap> found;
-    SphereGrid grid;
+    SphereGrid grid(radii);
     std::size_t done = 0;
     patience.begin("overlaps", static_cast<double>(spheres.size()), "spheres");
     for (const std::size_t i : largest_first(radii)) {
@@ -85,6 +86,8 @@ std::string cure(double depth)
 std::vector<std::string> centres_inside_plates(const Scene& scene, const BodyPlaces& places, Patience& patience)
 {
     std::vector<std::string> lines;
+    if (std::none_of(scene.planes.begin(), scene.planes.end(), [](const Plane& p) { return p.thickness.has_value(); }))
+        return lines;
     for (std::size_t i = 0; i < scene.spheres.size() && patience.lasts_for(scene.planes.size()); ++i)
         for (std::size_t p = 0; p < scene.planes.size(); ++p) {
             const Sphere& s = scene.spheres[i];

@@ -1,6 +1,6 @@
 /// \file
-/// Who is near a sphere? One hash grid for each size class (radii within a factor of two), so that a mix of sizes costs
-/// no more than equal ones.
+/// Spheres near a place: one hash grid for each size class (radii within a factor of two), so that a mix of sizes costs
+/// no more than equal ones. Spheres come one after the other.
 #pragma once
 
 #include "scene/tolerances.hpp"
@@ -9,7 +9,6 @@
 #include <carom/types.hpp>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace carom {
@@ -19,8 +18,19 @@ std::vector<std::size_t> largest_first(const std::vector<double>& radii);
 
 class SphereGrid {
 public:
-    /// \pre radius > 0, not larger than that of any sphere before it.
+    /// A grid of spheres that come largest first.
+    SphereGrid() = default;
+    /// A grid of spheres that come in any order, none larger than the largest of its size class among `radii`.
+    explicit SphereGrid(const std::vector<double>& radii);
+
+    /// \pre radius > 0, not larger than that of any sphere of its size class before it.
     void insert(std::size_t sphere, const Vec3& position, double radius);
+
+    /// A sphere that was inserted at `from`, or moved there, is at `to` now. \pre its radius is the one it came with
+    void move(std::size_t sphere, const Vec3& from, const Vec3& to, double radius);
+
+    /// Forgets the spheres, in time proportional to their number.
+    void clear();
 
     /// Calls visit(sphere) for each inserted sphere that may overlap this one, and for some that do not, until it
     /// returns false. Fast if `radius` is not larger than that of any inserted sphere.
@@ -29,11 +39,11 @@ public:
     {
         for (const auto& level : levels_) {
             const double reach = (radius + level.radius) * (1 + grid_slack);
-            const Cell low = cell_of(position.array() - reach, level.radius);
-            const Cell high = cell_of(position.array() + reach, level.radius);
-            if (cells_between(low, high) > static_cast<double>(level.newest.size())) {
-                for (const auto& [cell, newest] : level.newest)
-                    if (!visit_chain(newest, visit)) return;
+            const Cell low = cell_of(level, position.array() - reach);
+            const Cell high = cell_of(level, position.array() + reach);
+            if (cells_between(low, high) > static_cast<double>(level.entries.size())) {
+                for (const Entry& entry : level.entries)
+                    if (!visit(entry.sphere)) return;
                 continue;
             }
             Cell cell;
@@ -46,40 +56,49 @@ public:
 
 private:
     using Cell = std::array<std::int64_t, 3>;
-    struct CellHash {
-        std::size_t operator()(const Cell& cell) const;
-    };
-    struct Level {
-        int exponent;   ///< radii in [2^exponent, 2^(exponent+1))
-        double radius;  ///< largest of this level: the cells are two of it wide
-        std::unordered_map<Cell, std::size_t, CellHash> newest;
-    };
+    using Index = std::uint32_t;  ///< of an entry
     struct Entry {
         std::size_t sphere;
-        std::size_t older;  ///< next entry of the same cell
+        Cell cell;
+        Index older;  ///< next entry of the same bucket
     };
-    static constexpr std::size_t none = ~std::size_t{0};
+    struct Level {
+        int exponent;     ///< radii in [2^exponent, 2^(exponent+1)), biased
+        double radius;    ///< largest of this level: the cells are two of it wide [length]
+        double per_cell;  ///< 1 / edge of a cell [1/length]
+        std::vector<Entry> entries;
+        std::vector<Index> newest;  ///< by bucket; the number of buckets is a power of two
+    };
+    static constexpr Index none = ~Index{0};
 
     static double cells_between(const Cell& low, const Cell& high);
-    static Cell cell_of(const Vec3& position, double radius);
+    static Cell cell_of(const Level& level, const Vec3& position);
 
-    template <class Visit>
-    bool visit_cell(const Level& level, const Cell& cell, Visit& visit) const
+    /// Neighbours along x stand side by side; the factors are odd and without pattern (of splitmix64).
+    static std::size_t bucket(const Level& level, const Cell& cell)
     {
-        const auto found = level.newest.find(cell);
-        return found == level.newest.end() || visit_chain(found->second, visit);
+        const auto x = static_cast<std::uint64_t>(cell[0]), y = static_cast<std::uint64_t>(cell[1]),
+                   z = static_cast<std::uint64_t>(cell[2]);
+        return (x + y * 0xbf58476d1ce4e5b9ULL + z * 0x94d049bb133111ebULL) & (level.newest.size() - 1);
     }
+    /// (What std::array offers is a call of memcmp.)
+    static bool same(const Cell& a, const Cell& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+    /// Twice as many buckets, and each entry in its new one.
+    static void grow(Level& level);
+    Level& level_of(double radius);
 
     template <class Visit>
-    bool visit_chain(std::size_t newest, Visit& visit) const
+    static bool visit_cell(const Level& level, const Cell& cell, Visit& visit)
     {
-        for (std::size_t e = newest; e != none; e = entries_[e].older)
-            if (!visit(entries_[e].sphere)) return false;
+        for (Index e = level.newest[bucket(level, cell)]; e != none;) {
+            const Entry& entry = level.entries[e];
+            if (same(entry.cell, cell) && !visit(entry.sphere)) return false;
+            e = entry.older;
+        }
         return true;
     }
 
     std::vector<Level> levels_;
-    std::vector<Entry> entries_;
 };
 
 }  // namespace carom

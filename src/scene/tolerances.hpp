@@ -61,8 +61,14 @@ inline constexpr std::size_t all_pairs_limit = 32;
 /// Reach [1] beyond the sum of two radii at which spheres are looked for: it covers the rounding of cell numbers, u of
 /// the coordinate over a diameter, up to 1e9 diameters from the origin.
 inline constexpr double grid_slack = 1e-6;
-/// Cell number [cells] of all that are farther out: slow there, but right, and no integer overflows.
+/// Cell number [cells] of all that are farther out, and of what is no number: slow there, but right, and no integer
+/// overflows.
 inline constexpr double farthest_cell_number = 0x1p60;
+/// Cells in a length [1/length] at most: the inverse of a smaller radius is out of the range of doubles, and larger
+/// cells do as well.
+inline constexpr double most_cells_per_length = 1e300;
+/// Places [1] of a grid's table at least: fewer save nothing.
+inline constexpr std::size_t fewest_buckets = 64;
 
 // Fills.
 

@@ -2,11 +2,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string_view>
-#include <unordered_map>
+#include <type_traits>
 
 #include "core/text.hpp"
 #include "scene/check_keys.hpp"
@@ -45,8 +49,7 @@ public:
         rest();
         impact();
         guard();
-        for (std::size_t i = 0; i < scene_.spheres.size() && patience_.lasts_for(1); ++i)
-            sphere(places_.sphere(i), scene_.spheres[i]);
+        for (std::size_t i = 0; i < scene_.spheres.size() && patience_.lasts_for(1); ++i) sphere(i);
         for (std::size_t p = 0; p < scene_.planes.size(); ++p) plane(places_.plane(p), scene_.planes[p]);
         for (std::size_t p = 0; p < scene_.planes.size(); ++p)
             for (std::size_t q = 0; q < p; ++q) wedge(p, scene_.planes[q]);
@@ -56,31 +59,48 @@ public:
     }
 
 private:
-    void rule(bool kept, const std::string& place, const std::string& what)
+    /// Places and messages of rules that are kept are never spelled out: functions give them.
+    template <class Text>
+    static std::string spelled(const Text& text)
     {
-        if (!kept) lines_.push_back(place + ": " + what);
+        if constexpr (std::is_invocable_v<const Text&>)
+            return text();
+        else
+            return text;
     }
-    void finite(const std::string& place, const Vec3& v) { rule(v.allFinite(), place, "must be finite"); }
-    void positive(const std::string& place, double x)
+    template <class Place, class What>
+    void rule(bool kept, const Place& place, const What& what)
     {
-        rule(std::isfinite(x) && x > 0, place, "must be finite and > 0, is " + to_text(x));
+        if (!kept) lines_.push_back(spelled(place) + ": " + spelled(what));
     }
-    void not_negative(const std::string& place, std::optional<double> x)
+    template <class Place>
+    void finite(const Place& place, const Vec3& v)
     {
-        if (x) rule(std::isfinite(*x) && *x >= 0, place, "must be finite and >= 0, is " + to_text(*x));
+        rule(v.allFinite(), place, "must be finite");
+    }
+    template <class Place>
+    void positive(const Place& place, double x)
+    {
+        rule(std::isfinite(x) && x > 0, place, [x] { return "must be finite and > 0, is " + to_text(x); });
+    }
+    template <class Place>
+    void not_negative(const Place& place, std::optional<double> x)
+    {
+        if (x) rule(std::isfinite(*x) && *x >= 0, place, [x] { return "must be finite and >= 0, is " + to_text(*x); });
     }
     void at_least_one(const std::string& place, int n)
     {
-        rule(n >= 1, place, "must be at least 1, is " + std::to_string(n));
+        rule(n >= 1, place, [n] { return "must be at least 1, is " + std::to_string(n); });
     }
     void fraction(const std::string& place, std::optional<double> x)
     {
-        if (x) rule(*x >= 0 && *x <= 1, place, "must be between 0 and 1, is " + to_text(*x));
+        if (x) rule(*x >= 0 && *x <= 1, place, [x] { return "must be between 0 and 1, is " + to_text(*x); });
     }
-    void material_index(const std::string& place, int index)
+    template <class Place>
+    void material_index(const Place& place, int index)
     {
         rule(index >= 0 && static_cast<std::size_t>(index) < scene_.materials.size(), place,
-             "no material has index " + std::to_string(index));
+             [index] { return "no material has index " + std::to_string(index); });
     }
 
     void material(const Material& m)
@@ -130,14 +150,16 @@ private:
         at_least_one("/guard/impacts", scene_.guard.impacts);
         if (scene_.guard.window) positive("/guard/window", *scene_.guard.window);
     }
-    void sphere(const std::string& place, const Sphere& s)
+    void sphere(std::size_t i)
     {
-        positive(place + "/radius", s.radius);
-        positive(place + "/mass", s.mass);
-        finite(place + "/position", s.position);
-        finite(place + "/velocity", s.velocity);
-        rule(!s.fixed || s.velocity == Vec3::Zero(), place + "/velocity", "must be 0, for the sphere is fixed");
-        material_index(place + "/material", s.material);
+        const Sphere& s = scene_.spheres[i];
+        const auto at = [&](const char* key) { return [this, i, key] { return places_.sphere(i) + key; }; };
+        positive(at("/radius"), s.radius);
+        positive(at("/mass"), s.mass);
+        finite(at("/position"), s.position);
+        finite(at("/velocity"), s.velocity);
+        rule(!s.fixed || s.velocity == Vec3::Zero(), at("/velocity"), "must be 0, for the sphere is fixed");
+        material_index(at("/material"), s.material);
     }
     void plane(const std::string& place, const Plane& p)
     {
@@ -191,21 +213,54 @@ private:
     std::vector<std::string> lines_;
 };
 
+/// Owners of ids: a hash table with open places, eight bytes each.
+class IdTable {
+public:
+    explicit IdTable(std::size_t ids) : slots_(std::bit_ceil(2 * ids + 1)) {}
+
+    /// \param id_of gives the id of each body inserted so far, and of this one
+    /// \return the owner of its id: `body` itself, or who was inserted before it
+    template <class IdOf>
+    std::size_t insert(std::size_t body, const IdOf& id_of)
+    {
+        const std::size_t hash = std::hash<std::string_view>()(id_of(body)), mask = slots_.size() - 1;
+        const auto tag = static_cast<std::uint32_t>(hash >> 32);
+        for (std::size_t k = hash & mask;; k = (k + 1) & mask) {
+            Slot& slot = slots_[k];
+            if (slot.owner == nobody) {
+                slot = {tag, static_cast<std::uint32_t>(body)};
+                return body;
+            }
+            if (slot.tag == tag && id_of(slot.owner) == id_of(body)) return slot.owner;
+        }
+    }
+
+private:
+    static constexpr std::uint32_t nobody = ~std::uint32_t{0};
+    struct Slot {
+        std::uint32_t tag = 0;  ///< of the id's hash: other ids are hardly ever looked at
+        std::uint32_t owner = nobody;
+    };
+    std::vector<Slot> slots_;
+};
+
 }  // namespace
 
 std::vector<std::string> find_duplicate_ids(const Scene& scene, const BodyPlaces& places, Patience& patience)
 {
-    std::vector<std::string> lines;
-    std::unordered_map<std::string_view, std::string> owners;
-    const auto claim = [&](const std::string& id, const std::string& place) {
-        const auto [owner, is_new] = owners.try_emplace(id, place);
-        if (!is_new)
-            lines.push_back(place + ": id " + quoted(id) + " is already that of " + owner->second +
-                            " (ids must be unique)");
+    const std::size_t n = scene.spheres.size(), all = n + scene.planes.size();  // planes after spheres
+    const auto id_of = [&](std::size_t body) -> const std::string& {
+        return body < n ? scene.spheres[body].id : scene.planes[body - n].id;
     };
-    for (std::size_t i = 0; i < scene.spheres.size() && patience.lasts_for(1); ++i)
-        claim(scene.spheres[i].id, places.sphere(i));
-    for (std::size_t p = 0; p < scene.planes.size(); ++p) claim(scene.planes[p].id, places.plane(p));
+    const auto place_of = [&](std::size_t body) { return body < n ? places.sphere(body) : places.plane(body - n); };
+    std::vector<std::string> lines;
+    IdTable owners(all);
+    for (std::size_t body = 0; body < all && patience.lasts_for(1); ++body) {
+        const std::size_t owner = owners.insert(body, id_of);
+        if (owner != body)
+            lines.push_back(place_of(body) + ": id " + quoted(id_of(body)) + " is already that of " + place_of(owner) +
+                            " (ids must be unique)");
+    }
     return lines;
 }
 

@@ -5,6 +5,7 @@
 /// Each sphere carries its own moment: position at `since`, straight from there to its `target` at the end of the
 /// substep. A response changes two of them; only their contacts are looked for again. (The bookkeeping is this
 /// project's own.)
+#include "scene/sphere_grid.hpp"
 #include "stepping/bracket.hpp"
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
@@ -25,7 +26,7 @@ using namespace stepping;
 
 class BisectionStepper {
 public:
-    explicit BisectionStepper(std::size_t spheres) : paths_(spheres) {}
+    explicit BisectionStepper(const std::vector<double>& radius) : paths_(radius.size()), moved_(radius) {}
 
     void advance(System& system, const Substep& substep)
     {
@@ -63,6 +64,7 @@ private:
         paths_.begin(bodies, substep.length);
         settling_ = false;
         queue_.clear();
+        moved_.clear();
         seen_.clear();
         contacts_.clear();
         system.detector.find_pairs(paths_.target, bodies.radius, contacts_);
@@ -153,11 +155,23 @@ private:
         paths_.stop_at(system.bodies, next.a, next.time);
         if (pair) paths_.stop_at(system.bodies, next.b, next.time);
         system.impacts.add(contact, respond(system.bodies, system.laws, contact), substep.begin + next.time);
-        paths_.go_on(system.bodies, next.a);
-        if (pair) paths_.go_on(system.bodies, next.b);
+        go_on(system, next.a);
+        if (pair) go_on(system, next.b);
         look_again(system, next.a, pair ? next.b : no_body, next.time);
         if (pair) look_again(system, next.b, no_body, next.time);
         return true;
+    }
+
+    void go_on(const System& system, BodyId i)
+    {
+        const bool moved_before = paths_.is_changed(i);
+        const Vec3 before = paths_.target[index(i)];
+        paths_.go_on(system.bodies, i);
+        const Vec3& target = paths_.target[index(i)];
+        if (moved_before)
+            moved_.move(index(i), before, target, system.bodies.radius[index(i)]);
+        else
+            moved_.insert(index(i), target, system.bodies.radius[index(i)]);
     }
 
     /// Contacts of sphere i at its new target, except that with `later_partner`, which finds it when its own turn
@@ -175,10 +189,13 @@ private:
             const Vec3 d = target - paths_.target[index(j)];
             if (overlap(d.x(), d.y(), d.z(), radius + bodies.radius[index(j)])) partners_.push_back(j);
         };
-        system.detector.for_each_near(target, [&](BodyId j) {
+        system.detector.for_each_near(target, radius, [&](BodyId j) {
             if (!paths_.is_changed(j)) test(j);
         });
-        for (const BodyId j : paths_.changed()) test(j);
+        moved_.visit_near(target, radius, [&](std::size_t j) {
+            test(static_cast<BodyId>(j));
+            return true;
+        });
         std::sort(partners_.begin(), partners_.end());  // the order of finding must not matter
         for (const BodyId j : partners_) {
             const BodyId a = std::min(i, j), b = std::max(i, j);
@@ -207,6 +224,7 @@ private:
 
     bool settling_ = false;  ///< too many responses in this substep
     StraightPaths paths_;
+    SphereGrid moved_;  ///< those with a corner in this substep, at their targets; the detector knows the others
     std::vector<BodyId> partners_;
     std::vector<Pending> queue_;
     std::vector<Contact> contacts_;
@@ -218,7 +236,7 @@ private:
 Outcome run_stepping(const Scene& scene, const Bisection& method, const RunOptions& options, const Observer& observer)
 {
     System system(scene, method, observer, false);
-    BisectionStepper stepper(scene.spheres.size());
+    BisectionStepper stepper(system.bodies.radius);
     return drive(scene, method, options, observer, system, stepper);
 }
 

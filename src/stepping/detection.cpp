@@ -19,9 +19,10 @@ Detector::Detector(const Scene& scene, BroadPhase broad_phase) : spheres_(static
     }
     if (broad_phase == BroadPhase::automatic) broad_phase = automatic_broad_phase(n);
     if (broad_phase == BroadPhase::cell_grid && n > 0) {
-        double largest = 0;
-        for (const Sphere& s : scene.spheres) largest = std::max(largest, s.radius);
-        grid_.emplace(n, largest);
+        std::vector<double> radius;
+        radius.reserve(n);
+        for (const Sphere& s : scene.spheres) radius.push_back(s.radius);
+        grid_.emplace(radius);
     }
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "stepping/bodies.hpp"
-#include "stepping/cell_grid.hpp"
 #include "stepping/contact.hpp"
+#include "stepping/hierarchical_grid.hpp"
 
 #include <carom/method.hpp>
 
@@ -27,12 +27,13 @@ public:
     /// The same for one sphere.
     void find_walls_of(BodyId sphere, const Vec3& position, double radius, std::vector<Contact>& contacts);
 
-    /// Calls on_candidate(j) for each sphere that may touch one at p: positions are those of the last find_pairs.
+    /// Calls on_candidate(j) for each sphere that may touch one of this radius at p: positions are those of the last
+    /// find_pairs.
     template <class OnCandidate>
-    void for_each_near(const Vec3& p, OnCandidate&& on_candidate) const
+    void for_each_near(const Vec3& p, double radius, OnCandidate&& on_candidate) const
     {
         if (grid_) {
-            grid_->for_each_near(p, on_candidate);
+            grid_->for_each_near(p, radius, on_candidate);
         } else {
             for (BodyId j = 0; j < spheres_; ++j) on_candidate(j);
         }
@@ -49,7 +50,7 @@ private:
     BodyId spheres_;
     std::vector<Wall> walls_;
     std::vector<std::uint8_t> fixed_;  ///< one for each sphere; empty if none is
-    std::optional<CellGrid> grid_;
+    std::optional<HierarchicalGrid> grid_;
     std::vector<std::uint64_t> found_;
 };
 

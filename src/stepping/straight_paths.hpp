@@ -55,7 +55,6 @@ public:
     double since(BodyId i) const { return since_[index(i)]; }
     std::uint64_t changes(BodyId i) const { return changes_[index(i)]; }  ///< of velocity, since the run began
     bool is_changed(BodyId i) const { return is_changed_[index(i)] != 0; }
-    const std::vector<BodyId>& changed() const { return changed_; }  ///< spheres with a corner in this substep
 
     std::vector<Vec3> target;  ///< [length]
 

@@ -29,8 +29,8 @@ inline constexpr std::int64_t most_responses = 100;
 /// Responses in a substep of bisection for each sphere [1], beside `most_responses`.
 inline constexpr std::int64_t most_responses_a_sphere = 10;
 
-/// Place [cells from the origin] beyond which spheres are handled one by one: below it the rounding of position / edge,
-/// two of u 2^30, stays under 2.4e-7 of a cell, less than `cell_slack`, and cell numbers fit 32 bits.
+/// Place [cells from the home of a grid] beyond which spheres are handled one by one: below it the rounding of position
+/// / edge, two of u 2^30, stays under 2.4e-7 of a cell, less than `cell_slack`, and cell numbers fit 32 bits.
 inline constexpr double farthest_cell = 1 << 30;
 /// Edge of a cell beyond the largest diameter [1]: see `farthest_cell`.
 inline constexpr double cell_slack = 1e-6;

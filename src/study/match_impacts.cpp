@@ -1,5 +1,7 @@
 #include "study/matching.hpp"
 
+#include "study/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,15 +20,16 @@ struct PairMatch {
     std::int64_t expected = 0, left_over = 0;
 };
 
-/// Whether an own series of the run, closed at `rests[i]`, stands for an impact at `time`.
+/// Whether an own series of the run, closed at one of `rests`, stands for an impact at `time`: the last impact found
+/// before that rest is earlier, and the rest is not.
 bool closed_by_rest(const std::vector<double>& found, const std::vector<double>& rests, const MatchWindow& window,
                     double time)
 {
-    for (const double rest : rests) {
-        const auto after = std::upper_bound(found.begin(), found.end(), rest);
-        if (after != found.begin() && *std::prev(after) < time && time <= rest + window.width) return true;
-    }
-    return false;
+    if (found.empty()) return false;
+    // Later rests follow later impacts: the first one that may do decides.
+    const auto rest = std::partition_point(rests.begin(), rests.end(),
+                                           [&](double r) { return r + window.width < time || r < found.front(); });
+    return rest != rests.end() && *std::prev(std::upper_bound(found.begin(), found.end(), *rest)) < time;
 }
 
 PairMatch match_pair(const PairImpacts& expected, const std::vector<double>& found, const std::vector<double>& rests,
@@ -56,8 +59,10 @@ PairMatch match_pair(const PairImpacts& expected, const std::vector<double>& fou
     return result;
 }
 
-void shorten(std::vector<ImpactMismatch>& list)
+/// Keeps the first ones in time, if there are more than `most`.
+void shorten(std::vector<ImpactMismatch>& list, std::size_t most)
 {
+    if (list.size() <= most) return;
     std::sort(list.begin(), list.end(), [](const auto& x, const auto& y) { return x.time < y.time; });
     if (list.size() > max_listed_mismatches) list.resize(max_listed_mismatches);
 }
@@ -76,6 +81,7 @@ MatchResult match_impacts(const ExpectedImpacts& expected, std::span<const Found
     const PairImpacts nothing;
     for (auto& [pair, times] : by_pair) {
         std::sort(times.first.begin(), times.first.end());
+        std::sort(times.second.begin(), times.second.end());
         const auto known = expected.find(pair);
         const PairMatch match =
             match_pair(known == expected.end() ? nothing : known->second, times.first, times.second, window);
@@ -85,11 +91,11 @@ MatchResult match_impacts(const ExpectedImpacts& expected, std::span<const Found
         result.invented += static_cast<std::int64_t>(match.invented.size());
         for (const double t : match.missed) result.missed_list.push_back({t, pair.first, pair.second});
         for (const double t : match.invented) result.invented_list.push_back({t, pair.first, pair.second});
-        shorten(result.missed_list);
-        shorten(result.invented_list);
+        shorten(result.missed_list, mismatches_between_sorts);
+        shorten(result.invented_list, mismatches_between_sorts);
     }
-    shorten(result.missed_list);
-    shorten(result.invented_list);
+    shorten(result.missed_list, 0);
+    shorten(result.invented_list, 0);
     return result;
 }
 

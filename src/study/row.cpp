@@ -2,6 +2,7 @@
 
 #include "study/clock.hpp"
 #include "study/compensated_sum.hpp"
+#include "study/deepest_overlap.hpp"
 #include "study/largest.hpp"
 #include "study/lift_watch.hpp"
 #include "study/matching.hpp"
@@ -37,7 +38,7 @@ double match_width(const RowTask& task)
 /// Collects a run as it goes. Sums are over what the reference covers.
 class Recorder {
 public:
-    explicit Recorder(const RowTask& task) : task_(task), width_(match_width(task))
+    explicit Recorder(const RowTask& task) : task_(task), width_(match_width(task)), overlap_(task.scene)
     {
         for (const auto& states : task.reference.samples)
             keep_largest(reference_kinetic_, kinetic_energy(task.scene, states));
@@ -54,7 +55,7 @@ public:
     void sample(std::size_t k, double time, std::span<const BodyState> states)
     {
         series_.energy.push_back(total_energy(task_.scene, states));
-        series_.penetration.push_back(max_penetration(task_.scene, states));
+        series_.penetration.push_back(overlap_.of(states));
         if (states.size() <= max_track_spheres) {
             auto& frame = series_.tracks.emplace_back();
             for (const BodyState& s : states) {
@@ -75,6 +76,7 @@ private:
 
     const RowTask& task_;
     double width_;
+    DeepestOverlap overlap_;
     double reference_kinetic_ = 0;
     std::vector<FoundImpact> found_, rests_;
     RowSeries series_;

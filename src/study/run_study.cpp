@@ -1,6 +1,7 @@
 #include <carom/study.hpp>
 
 #include "study/clock.hpp"
+#include "study/deepest_overlap.hpp"
 #include "study/largest.hpp"
 #include "study/lift_watch.hpp"
 #include "study/tolerances.hpp"
@@ -11,6 +12,12 @@
 
 namespace carom {
 
+std::size_t look_intervals(std::size_t spheres)
+{
+    return std::clamp(study::most_spheres_looked_at / std::max<std::size_t>(spheres, 1), study::fewest_looks,
+                      study_intervals);
+}
+
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options)
 {
     RunStudy result;
@@ -20,15 +27,19 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     const double until = std::isnan(options.run.until) ? scene.end_time : options.run.until;
 
     const bool dear = scene.spheres.size() > study::few_to_look_at;
+    study::DeepestOverlap overlap(scene);
     study::Stopwatch watch;
     double largest_drift = 0, largest_kinetic = kinetic_energy(scene, start), deepest = 0;
     const auto look = [&](std::span<const BodyState> states) {
         study::keep_largest(largest_drift, std::abs(energy_difference(scene, states, start)));
         study::keep_largest(largest_kinetic, kinetic_energy(scene, states));
-        if (event_driven) deepest = std::max(deepest, max_penetration(scene, states));
+        if (event_driven) deepest = std::max(deepest, overlap.of(states));
     };
     Observer observer;
-    const std::vector<double> grid = sample_grid(until, options.intervals);
+    // The energy of a discrete method may be at its worst in between, and a look costs as much as a step or two.
+    const std::size_t usual = event_driven ? look_intervals(scene.spheres.size()) : study_intervals;
+    std::vector<double> grid = sample_grid(until, options.intervals.value_or(usual));
+    grid.pop_back();  // the end is looked at when it is there, wherever it is
     std::set_union(grid.begin(), grid.end(), options.more_times.begin(), options.more_times.end(),
                    std::back_inserter(observer.sample_times));
     observer.on_event = options.on_event;

@@ -29,6 +29,9 @@ inline constexpr double shortest_flight_steps = 4;
 inline constexpr double series_rounding = 1e-9;
 /// Gap [radius] of a contact that lasts: far above rounding, far below anything seen.
 inline constexpr double lasting_contact = 1e-6;
+/// Mismatches [impacts] that are gathered before they are sorted for the 200 that are listed: each is then sorted once
+/// or twice.
+inline constexpr std::size_t mismatches_between_sorts = 2000;
 
 // Clocks.
 
@@ -46,6 +49,12 @@ inline constexpr double timing_budget = 5;
 inline constexpr double event_run_in_steps = 1000;
 /// Spheres [1] up to which looking at all of them costs less than stopping the clock for it.
 inline constexpr std::size_t few_to_look_at = 30;
+/// Spheres [1] that an event-driven run is looked at, all looks together: at 700 instructions each they cost half as
+/// much as one second of gas_1000.
+inline constexpr std::size_t most_spheres_looked_at = 25'000;
+/// Intervals [1] between looks at least, where those are not even one look: a run is looked at when it begins, in its
+/// middle and at its end.
+inline constexpr std::size_t fewest_looks = 2;
 
 // Words.
 

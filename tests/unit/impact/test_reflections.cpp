@@ -165,9 +165,10 @@ TEST_CASE("Neither the order of contacts nor that of bodies matters, nor which i
         std::vector<Contact> reversed(cluster.contacts.rbegin(), cluster.contacts.rend());
         for (Contact& contact : reversed) {
             contact.a = static_cast<int>(bodies) - 1 - contact.a;
-            if (contact.b != immovable) {
-                contact.b = static_cast<int>(bodies) - 1 - contact.b;
-                std::swap(contact.a, contact.b);
+            if (contact.b) {
+                const int b = static_cast<int>(bodies) - 1 - *contact.b;
+                contact.b = contact.a;
+                contact.a = b;
                 contact.normal = -contact.normal;
             }
         }

@@ -140,6 +140,34 @@ TEST_CASE("final states of many spheres are written when asked for", "[results]"
     CHECK(json::parse(io::run_json(scene, EventDriven{}, study, {true}))["final"].size() == 1001);
 }
 
+TEST_CASE("a run's text is the one that its own tree writes, whatever ids and numbers it has", "[results]")
+{
+    Scene scene = two_balls();
+    RunStudy study = some_run();
+    const std::vector<std::string> ids{"a", "back\\slash", "tab\t", "K\xc3\xb6rper", "fill-0/17", "\x7f"};
+    const std::vector<double> numbers{
+        0, -0.0, 1, 1e-4, 1e-5, 1e15, 1e16, 1e22, -123.456, 5e-324, 1.7976931348623157e308};
+    scene.spheres.resize(ids.size(), scene.spheres[0]);
+    study.outcome.final.resize(ids.size());
+    study.outcome.rest_times.resize(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        scene.spheres[i].id = ids[i];
+        study.outcome.final[i].position = Vec3(numbers[i], numbers[i + 1], numbers[i + 2]);
+        study.outcome.final[i].velocity = Vec3(numbers[i + 5], numbers[i + 4], numbers[i + 3]);
+        study.outcome.rest_times[i] = numbers[i];
+    }
+    const auto is_its_own_dump = [&] {
+        const std::string text = io::run_json(scene, EventDriven{}, study);
+        return nlohmann::ordered_json::parse(text).dump(2) + "\n" == text;
+    };
+    CHECK(is_its_own_dump());
+    scene.origin = Vec3(1e9, 0, 0);
+    CHECK(is_its_own_dump());
+    std::fill(study.outcome.rest_times.begin(), study.outcome.rest_times.end(), std::nullopt);
+    study.outcome.final.clear();
+    CHECK(is_its_own_dump());
+}
+
 TEST_CASE("the events file has the contract's columns, names and exact times", "[results]")
 {
     std::ostringstream out;

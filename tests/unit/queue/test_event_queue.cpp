@@ -14,7 +14,10 @@ Key any(Random& random, std::size_t slot)
 {
     if (random.integer(0, 9) == 0) return {};
     const auto kind = static_cast<Scheduled>(random.integer(0, 4));
-    return {{random.integer(0, 3), 0.25 * random.integer(0, 3)}, kind, random.integer(0, 2), static_cast<BodyId>(slot)};
+    return {{random.integer(0, 3), 0.25 * random.integer(0, 3)},
+            kind,
+            random.integer(0, 2),
+            Partner::sphere(static_cast<BodyId>(slot))};
 }
 
 }  // namespace
@@ -41,15 +44,20 @@ TEST_CASE("the queue agrees with a linear search through random changes, ties in
     }
 }
 
-TEST_CASE("events leave the queue in order of time, then kind, then bodies")
+TEST_CASE("events leave the queue in order of time, then kind, then bodies, spheres before planes")
 {
-    const std::vector<Key> ordered{
-        {{0, 0.5}, Scheduled::cell_crossing, 9, 9}, {{1, 0.25}, Scheduled::pair_impact, 0, 5},
-        {{1, 0.25}, Scheduled::pair_impact, 1, 2},  {{1, 0.25}, Scheduled::pair_impact, 1, 3},
-        {{1, 0.25}, Scheduled::plane_impact, 0, 7}, {{1, 0.25}, Scheduled::series_end, 0, 1},
-        {{1, 0.5}, Scheduled::pair_impact, 0, 1},   {}};
+    const std::vector<Key> ordered{{{0, 0.5}, Scheduled::cell_crossing, 9, Partner::cell_wall(1, true)},
+                                   {{1, 0.25}, Scheduled::pair_impact, 0, Partner::sphere(5)},
+                                   {{1, 0.25}, Scheduled::pair_impact, 1, Partner::sphere(2)},
+                                   {{1, 0.25}, Scheduled::pair_impact, 1, Partner::sphere(3)},
+                                   {{1, 0.25}, Scheduled::plane_impact, 0, Partner::plane(7)},
+                                   {{1, 0.25}, Scheduled::series_end, 0, Partner::plane(1)},
+                                   {{1, 0.25}, Scheduled::intrusion, 0, Partner::sphere(9)},
+                                   {{1, 0.25}, Scheduled::intrusion, 0, Partner::plane(0)},
+                                   {{1, 0.5}, Scheduled::pair_impact, 0, Partner::sphere(1)},
+                                   {}};
     EventQueue queue(ordered.size());
-    for (std::size_t i = 0; i < ordered.size(); ++i) queue.set((i * 5 + 3) % ordered.size(), ordered[i]);
+    for (std::size_t i = 0; i < ordered.size(); ++i) queue.set((i * 7 + 3) % ordered.size(), ordered[i]);
     for (const Key& key : ordered) {
         CHECK(queue.key(queue.first()) == key);
         queue.set(queue.first(), {});

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <limits>
 #include <set>
 
 #include "core/random.hpp"
@@ -148,6 +149,50 @@ TEST_CASE("the grid finds the same overlaps as a look at all pairs, for any mix 
         overlaps += expected.size();
     }
     CHECK(overlaps > 200);
+}
+
+TEST_CASE("a grid that knows its radii takes spheres in any order, moves and forgets them", "[scene]")
+{
+    Random random(5);
+    std::vector<double> radii;
+    for (int i = 0; i < 300; ++i) radii.push_back(random.uniform(0.01, 0.5));
+    SphereGrid grid(radii);
+    for (int round = 0; round < 3; ++round) {
+        grid.clear();
+        std::vector<Vec3> places;
+        std::size_t found = 0, expected = 0;
+        for (std::size_t i = 0; i < radii.size(); ++i) {
+            const double x = random.uniform(-2, 2), y = random.uniform(-2, 2), z = random.uniform(-2, 2);
+            const Vec3 place(x, y, z);
+            const auto overlap = [&](std::size_t j) { return sphere_gap(place, radii[i], places[j], radii[j]) < 0; };
+            for (std::size_t j = 0; j < i; ++j) expected += overlap(j) ? 1 : 0;
+            grid.visit_near(place, radii[i], [&](std::size_t j) {
+                REQUIRE(j < i);
+                found += overlap(j) ? 1 : 0;
+                return true;
+            });
+            grid.insert(i, place, radii[i]);
+            places.push_back(place);
+            if (i % 3 > 0) continue;
+            Vec3& moved = places[i / 2];  // some of them again and again, some by less than a cell
+            const Vec3 to = moved + (i % 2 == 0 ? 0.01 : 1.0) * Vec3(0.5 - random.uniform(), 1, 0);
+            grid.move(i / 2, moved, to, radii[i / 2]);
+            moved = to;
+        }
+        CHECK(found == expected);
+        CHECK(expected > 100);
+    }
+}
+
+TEST_CASE("a grid takes places that are out of every range", "[scene]")
+{
+    SphereGrid grid;
+    const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    std::size_t n = 0;
+    for (const double x : {0.0, 1e300, -1e300, inf, -inf, nan}) grid.insert(n++, Vec3(x, 0, x), 1);
+    std::set<std::size_t> near;
+    grid.visit_near(Vec3(1e300, 0, 1e300), 1, [&](std::size_t i) { return near.insert(i).second; });
+    CHECK(near.contains(1));
 }
 
 TEST_CASE("gaps are right for lengths of any size", "[scene]")

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace carom;
 using namespace carom::test;
 
@@ -157,4 +159,16 @@ TEST_CASE("An elastic gas under bisection keeps its energy, never overlaps and s
 TEST_CASE("Control: pbd of the same gas does overlap", "[stepping]")
 {
     CHECK(run_discrete(gas(20, 0.1, 1, 9), PositionBased{steps(1.0 / 30)}, until(2)).max_penetration > 1e-3);
+}
+
+TEST_CASE("The work of a step of bisection grows with the number of spheres, not with its square", "[stepping]")
+{
+    // Steps so long that one sphere in three has a response in each: every response looks for what moved before it.
+    const auto tests_for_one = [](std::size_t n) {
+        const double side = std::cbrt(static_cast<double>(n)) * 0.3;
+        const Outcome outcome = run_discrete(gas(n, 0.1, side, 3), Bisection{steps(0.05)}, until(0.25));
+        REQUIRE(outcome.counts.impacts > static_cast<std::int64_t>(n));
+        return static_cast<double>(outcome.counts.pair_tests) / static_cast<double>(n);
+    };
+    CHECK(tests_for_one(3200) < 1.5 * tests_for_one(400));
 }

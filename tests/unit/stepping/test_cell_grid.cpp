@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -137,7 +138,7 @@ TEST_CASE("Escaped spheres cost the cell grid neither contacts nor memory", "[st
                       [](const Contact& c) { return c.a == 10 && c.b == 20; }));
 }
 
-TEST_CASE("A look around a point misses no sphere within the largest diameter and meets none twice", "[stepping]")
+TEST_CASE("A look around a sphere of any size misses no sphere that it touches and meets none twice", "[stepping]")
 {
     const Scene scene = random_spheres(500, -1, 1, 0.02, 0.1, 11);
     const auto bodies = stepping::make_bodies(scene);
@@ -145,20 +146,81 @@ TEST_CASE("A look around a point misses no sphere within the largest diameter an
     std::vector<Contact> contacts;
     detector.find_pairs(bodies.position, bodies.radius, contacts);
     std::mt19937_64 random(12);
-    std::size_t hits = 0, candidates = 0;
-    for (int k = 0; k < 500; ++k) {
-        const Vec3 p = uniform_vector(random, -1.2, 1.2);
-        std::set<BodyId> near;
-        detector.for_each_near(p, [&](BodyId j) { REQUIRE(near.insert(j).second); });
-        candidates += near.size();
-        for (BodyId j = 0; j < 500; ++j) {
-            if ((bodies.position[static_cast<std::size_t>(j)] - p).norm() > 0.2) continue;
-            ++hits;
-            REQUIRE(near.count(j) == 1);
+    for (const double radius : {0.001, 0.02, 0.1, 0.3, 3.0}) {
+        CAPTURE(radius);
+        std::size_t hits = 0, candidates = 0;
+        for (int k = 0; k < 300; ++k) {
+            const Vec3 p = uniform_vector(random, -1.2, 1.2);
+            std::set<BodyId> near;
+            detector.for_each_near(p, radius, [&](BodyId j) { REQUIRE(near.insert(j).second); });
+            candidates += near.size();
+            for (BodyId j = 0; j < 500; ++j) {
+                const auto i = static_cast<std::size_t>(j);
+                if ((bodies.position[i] - p).norm() > radius + bodies.radius[i]) continue;
+                ++hits;
+                REQUIRE(near.count(j) == 1);
+            }
         }
+        CHECK(hits > 10);
+        if (radius < 0.2) CHECK(candidates < 300 * 500 / 4);
     }
-    CHECK(hits > 500);
-    CHECK(candidates < 500 * 500 / 4);
+}
+
+namespace {
+
+/// A lattice whose neighbours overlap a little, 1.9 radii apart, around `centre`.
+std::vector<Sphere> lattice(int along, double radius, const Vec3& centre)
+{
+    std::vector<Sphere> spheres;
+    for (int x = 0; x < along; ++x)
+        for (int y = 0; y < along; ++y)
+            for (int z = 0; z < along; ++z)
+                spheres.push_back(
+                    ball(radius, centre + 1.9 * radius * Vec3(x - along / 2, y - along / 2, z - along / 2)));
+    return spheres;
+}
+
+}  // namespace
+
+TEST_CASE("Tests of pairs grow with the number of spheres, also with a large sphere or a thousand sizes among them",
+          "[stepping]")
+{
+    for (const int along : {8, 16, 25}) {
+        const auto n = static_cast<std::int64_t>(along) * along * along;
+        CAPTURE(n);
+        std::vector<Sphere> with_large = lattice(along, 0.5, Vec3::Zero());
+        with_large.push_back(ball(0.25 * along, Vec3::Zero()));
+        CHECK(find(scene_of(with_large), BroadPhase::cell_grid).tests < 50 * n);
+
+        std::vector<Sphere> graded = lattice(along, 0.5, Vec3::Zero());
+        for (std::size_t i = 0; i < graded.size(); ++i)
+            graded[i].radius = 0.5 / (1 + 999 * static_cast<double>(i) / static_cast<double>(graded.size()));
+        CHECK(find(scene_of(graded), BroadPhase::cell_grid).tests < 60 * n);
+
+        CHECK(find(scene_of(lattice(along, 0.5, Vec3(1e12, -3e12, 0))), BroadPhase::cell_grid).tests < 40 * n);
+    }
+}
+
+TEST_CASE(
+    "The cell grid finds the contacts of all pairs with a large sphere among small ones, for radii of ratio 1000 "
+    "and far from the origin",
+    "[stepping]")
+{
+    Scene with_large = random_spheres(700, -1, 1, 0.02, 0.02, 5);
+    with_large.spheres.push_back(ball(0.6, Vec3(0.1, 0.2, 0.3)));
+    with_large.spheres.push_back(ball(30, Vec3(31, 0, 0)));
+    CHECK(compare(with_large).contacts.size() > 80);
+
+    std::mt19937_64 random(6);
+    Scene graded = random_spheres(700, -1, 1, 0.2, 0.2, 6);
+    for (Sphere& s : graded.spheres) s.radius *= std::pow(1000, -uniform(random));
+    CHECK(compare(graded).contacts.size() > 100);
+
+    Scene far = random_spheres(700, -1, 1, 0.05, 0.1, 7);
+    for (Sphere& s : far.spheres) s.position += Vec3(0x1p40, 0, -0x1p41);
+    CHECK(compare(far).contacts.size() > 100);
+    far.spheres[0].position = Vec3(1e300, 0, 0);  // a home that no other sphere is near
+    CHECK(compare(far).contacts.size() > 100);
 }
 
 TEST_CASE("Walls are found sphere by sphere, plates from both sides", "[stepping]")

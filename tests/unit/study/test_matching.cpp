@@ -4,7 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace carom;
 using namespace carom::study;
@@ -212,4 +214,47 @@ TEST_CASE("answers in a contact that persists in the reference are not invented 
     reference.samples[1][0].mode = reference.samples[2][0].mode = Mode::flying;
     CHECK(match_impacts(expected_impacts(scene, reference, 0.04), at({0.1, 0.5, 1.5, 2.5}), {}, {0.03, 3}).invented ==
           2);
+}
+
+TEST_CASE("rests stand for the impacts that the definition gives them, for any mix of times", "[matching]")
+{
+    std::mt19937_64 random(3);
+    const auto time = [&] { return static_cast<double>(random() % 40) / 4; };  // ties are frequent
+    std::int64_t closed_in_all = 0;
+    for (int round = 0; round < 400; ++round) {
+        ExpectedImpacts expected;
+        std::vector<FoundImpact> found, rests;
+        for (std::uint64_t k = random() % 12; k > 0; --k) expected[{ball, floor_id}].times.push_back(time());
+        std::vector<double>& times = expected[{ball, floor_id}].times;
+        std::sort(times.begin(), times.end());
+        for (std::uint64_t k = random() % 4; k > 0; --k) found.push_back({time(), ball, floor_id});
+        for (std::uint64_t k = random() % 4; k > 0; --k) rests.push_back({time(), ball, floor_id});
+        const MatchWindow window{0.3, 100};
+        // Without rests everything that nothing took is missed. A rest stands for one of them where the last impact
+        // found up to that rest is earlier, and the rest is at most the width too early.
+        const MatchResult without = match_impacts(expected, found, {}, window);
+        std::int64_t closed = 0;
+        for (const ImpactMismatch& missed : without.missed_list)
+            closed += std::any_of(rests.begin(), rests.end(), [&](const FoundImpact& rest) {
+                double last = -1;
+                for (const FoundImpact& each : found)
+                    if (each.time <= rest.time) last = std::max(last, each.time);
+                return last >= 0 && last < missed.time && missed.time <= rest.time + window.width;
+            });
+        CAPTURE(round);
+        CHECK(match_impacts(expected, found, rests, window).missed == without.missed - closed);
+        closed_in_all += closed;
+    }
+    CHECK(closed_in_all > 100);
+}
+
+TEST_CASE("of the missed impacts of many pairs the first two hundred in time are listed", "[matching]")
+{
+    ExpectedImpacts expected;
+    for (int k = 0; k < 5000; ++k) expected[{k, k + 1}].times.push_back(1 + static_cast<double>(k * 7919 % 5000));
+    const MatchResult result = match_impacts(expected, {}, {}, {0.5, 1e9});
+    CHECK(result.missed == 5000);
+    REQUIRE(result.missed_list.size() == max_listed_mismatches);
+    for (std::size_t i = 0; i < max_listed_mismatches; ++i)
+        CHECK(result.missed_list[i].time == 1 + static_cast<double>(i));
 }

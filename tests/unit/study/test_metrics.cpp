@@ -1,6 +1,7 @@
 #include <carom/metrics.hpp>
 
 #include "make_sphere.hpp"
+#include "study/deepest_overlap.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -53,18 +54,71 @@ double brute_force_penetration(const Scene& scene, const std::vector<BodyState>&
 
 }  // namespace
 
-TEST_CASE("the deepest overlap found by sweeping is that of all pairs", "[metrics]")
+TEST_CASE("the deepest overlap is that of all pairs and planes", "[metrics]")
 {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        // Long in one direction, dense and sparse: the sweep axis and the number of overlaps vary.
+    std::mt19937_64 generator(9);
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        // Long in one direction, dense and sparse, few and many: overlaps from none to thousands.
         const Vec3 size = seed % 3 == 0 ? Vec3(0.3, 9, 0.3) : seed % 3 == 1 ? Vec3(1, 1, 1) : Vec3(30, 2, 20);
         Scene scene = cloud(5 + 3 * seed, seed, size);
         if (seed % 4 != 0) scene.planes.clear();  // otherwise the planes hide the pairs
+        if (seed % 5 == 0)                        // sizes of ratio 1000
+            for (Sphere& s : scene.spheres) s.radius = std::pow(10, uniform(generator, -4, -1));
+        if (seed % 6 == 0) scene.spheres[seed % scene.spheres.size()].radius = 0.7;
+        if (seed % 7 == 0)  // a place where positions have no digits to spare
+            for (Sphere& s : scene.spheres) s.position += Vec3(0x1p33, 0, 0);
         const std::vector<BodyState> states = initial_states(scene);
         CAPTURE(seed);
         CHECK(max_penetration(scene, states) ==
               Approx(brute_force_penetration(scene, states)).epsilon(1e-14).margin(1e-15));
     }
+}
+
+TEST_CASE("looking for the deepest overlap tests as many pairs as there are spheres, within a factor", "[metrics]")
+{
+    const auto tests_for_one = [](std::size_t n, double large) {
+        const double side = std::cbrt(static_cast<double>(n));
+        Scene scene = cloud(n, 3, Vec3::Constant(side));
+        if (large > 0) scene.spheres[0].radius = large * side;
+        study::DeepestOverlap overlap(scene);
+        CHECK(overlap.of(initial_states(scene)) == max_penetration(scene, initial_states(scene)));
+        return static_cast<double>(overlap.pair_tests()) / static_cast<double>(n);
+    };
+    for (const double large : {0.0, 0.25}) {  // a quarter of the box: it overlaps a share of the others
+        CAPTURE(large);
+        CHECK(tests_for_one(16'000, large) < 1.3 * tests_for_one(1'000, large));
+        CHECK(tests_for_one(16'000, large) < 30);
+    }
+}
+
+TEST_CASE("bodies that cannot move overlap nothing that cannot move", "[metrics]")
+{
+    Scene scene;
+    for (int i = 0; i < 40; ++i) {
+        scene.spheres.push_back(make_sphere("fixed", 0.5, Vec3(0.8 * i, 0, 0.25)));
+        scene.spheres.back().fixed = true;
+    }
+    scene.planes.push_back({"floor", Vec3::UnitZ(), 0, std::nullopt, 0});
+    CHECK(max_penetration(scene, initial_states(scene)) == 0);
+    scene.spheres[3].fixed = false;
+    CHECK(max_penetration(scene, initial_states(scene)) == Approx(0.25));  // the floor; 0.2 with its neighbours
+    scene.planes.clear();
+    CHECK(max_penetration(scene, initial_states(scene)) == Approx(0.2));
+}
+
+TEST_CASE("bodies that are nowhere overlap nothing", "[metrics]")
+{
+    Scene scene = cloud(50, 8, Vec3(1, 1, 1));
+    std::vector<BodyState> states = initial_states(scene);
+    states[4].position[1] = std::numeric_limits<double>::quiet_NaN();
+    states[5].position = Vec3(0, 0, -std::numeric_limits<double>::infinity());
+    Scene without = scene;
+    std::vector<BodyState> others = states;
+    for (const int gone : {5, 4}) {
+        without.spheres.erase(without.spheres.begin() + gone);
+        others.erase(others.begin() + gone);
+    }
+    CHECK(max_penetration(scene, states) == max_penetration(without, others));
 }
 
 TEST_CASE("spheres apart do not penetrate, and touching ones neither", "[metrics]")

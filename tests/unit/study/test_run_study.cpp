@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace carom;
@@ -69,6 +70,16 @@ TEST_CASE("there is no drift to speak of where contacts take energy, and a large
     REQUIRE(naive.max_relative_drift);
     CHECK(*naive.max_relative_drift > 1e-3);
     CHECK(naive.max_penetration > 1e-3);
+}
+
+TEST_CASE("few spheres are looked at 200 times, many less often, but in the middle, too", "[run_study]")
+{
+    CHECK(look_intervals(0) == 200);
+    CHECK(look_intervals(1) == 200);
+    CHECK(look_intervals(125) == 200);
+    CHECK(look_intervals(1000) == 25);
+    CHECK(look_intervals(1'000'000) == 2);
+    for (std::size_t n = 1; n < 20'000; ++n) CHECK(look_intervals(n) * n <= std::max<std::size_t>(25'000, 2 * n));
 }
 
 TEST_CASE("a run that is told to stop is interrupted", "[run_study]")
