@@ -5,6 +5,7 @@
 /// tests, never a neighbour.
 #pragma once
 
+#include "broad/tolerances.hpp"
 #include "flight/frame.hpp"
 
 #include <array>
@@ -31,7 +32,7 @@ public:
 
     /// How far off its cell a body may be before it is filed anew: the reach has room for it. Who turns round at a wall
     /// faster than times can tell would otherwise cross it for ever [length].
-    double slack() const { return 0x1p-10 * cell_size_; }
+    double slack() const { return cell_slack * cell_size_; }
 
     /// Everybody filed in the 27 cells around `body`, in no particular order.
     template <class Visit>

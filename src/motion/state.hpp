@@ -6,14 +6,11 @@
 #include "contact/contact_laws.hpp"
 #include "contact/recent_impacts.hpp"
 #include "motion/bodies.hpp"
+#include "motion/run_tolerances.hpp"
 
 #include <carom/simulate.hpp>
 
 namespace carom {
-
-/// Two contacts whose gaps close within this fraction of the radius belong to one instant, unless the scene says
-/// otherwise.
-inline constexpr double default_tie = 1e-12;
 
 struct State {
     State(const Scene& scene, Precision precision);
@@ -23,6 +20,7 @@ struct State {
     const Frame frame;
     const ContactLaws laws;
     const RestThresholds rest;
+    const Tolerances tolerances;
     const bool loses_energy;  ///< some e < 1
     /// v_c tau_p / 4, the height of a rebound of v_c that lasts tau_p: smaller gaps are closed as far as impacts are
     /// concerned where a contact closed less than tau_p ago (this project; without it they close one after the other,
@@ -70,7 +68,7 @@ struct State {
     }
 
     /// Contacts with gaps up to this belong to the instant of another [length]. \param radius the smaller one
-    double tie(double radius) const { return scene.impact.tie.value_or(default_tie) * radius; }
+    double tie(double radius) const { return tolerances.tie * radius; }
     /// Does a contact with this gap belong to the instant `now` of another? If it closed less than tau_p ago it does up
     /// to rebound_gap.
     bool ties(BodyId a, Partner b, double gap, const EpochTime& now) const
