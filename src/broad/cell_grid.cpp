@@ -1,5 +1,7 @@
 #include "broad/cell_grid.hpp"
 
+#include "flight/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,22 +9,20 @@ namespace carom {
 
 namespace {
 
-/// The next number with a mantissa of four bits: its multiples up to 2^49 are exact doubles.
-double round_up_to_four_bits(double x)
+/// The next number with a mantissa of few bits, so that its multiples are exact doubles.
+double round_up_to_few_bits(double x)
 {
-    const double unit = power_of_two_below(x) / 8;
+    const double unit = power_of_two_below(x) / cell_size_parts;
     return std::ceil(x / unit) * unit;
 }
 
-/// Cells of about one sphere in five where spheres are sparse, and never smaller than the reach. Measured on gas_1000:
-/// 0.4, 0.6, 1 and 1.3 spacings cost 503, 489, 742 and 1107 million instructions. (Only the cost depends on it, so a
-/// libm's cbrt does no harm.)
+/// A part of the mean spacing where spheres are sparse, and never smaller than the reach. (Only the cost depends on it,
+/// so a libm's cbrt does no harm.)
 double choose_cell_size(const Vec3& extent, std::size_t count, double reach)
 {
-    constexpr double spacings = 0.6;
     const double volume = std::max(extent[0], reach) * std::max(extent[1], reach) * std::max(extent[2], reach);
     const double spacing = std::cbrt(volume / static_cast<double>(count));
-    return round_up_to_four_bits(std::max(reach, spacings * spacing));
+    return round_up_to_few_bits(std::max(reach, spacings_a_cell * spacing));
 }
 
 }  // namespace
@@ -39,13 +39,16 @@ CellGrid::CellGrid(const Frame& frame, const std::vector<Place>& places, double 
     const Vec3 extent = high - low;
     cell_size_ = choose_cell_size(extent, places.size(), reach);
 
-    // At least 4 cells along each axis, so that the 27 around a body are 27 entries; no more entries than the spheres
-    // deserve.
+    // As many cells along each axis as the spheres fill, but no more entries than they deserve.
     std::array<int, 3> bits{};
     for (int k = 0; k < 3; ++k)
-        for (bits[k] = 2; bits[k] < 20 && std::ldexp(cell_size_, bits[k]) < extent[k] + cell_size_;) ++bits[k];
-    const auto most = 3 + static_cast<int>(std::ceil(std::log2(static_cast<double>(places.size()) + 1)));
-    while (bits[0] + bits[1] + bits[2] > std::max(most, 6)) --*std::max_element(bits.begin(), bits.end());
+        for (bits[k] = least_bits_an_axis;
+             bits[k] < most_bits_an_axis && std::ldexp(cell_size_, bits[k]) < extent[k] + cell_size_;)
+            ++bits[k];
+    const auto most =
+        entry_bits_a_sphere + static_cast<int>(std::ceil(std::log2(static_cast<double>(places.size()) + 1)));
+    while (bits[0] + bits[1] + bits[2] > std::max(most, 3 * least_bits_an_axis))
+        --*std::max_element(bits.begin(), bits.end());
     int shift = 0;
     for (int k = 0; k < 3; ++k) {
         mask_[k] = (std::int64_t{1} << bits[k]) - 1;
@@ -57,7 +60,7 @@ CellGrid::CellGrid(const Frame& frame, const std::vector<Place>& places, double 
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Vec3 p = position_of(frame, places[i]);
         for (int k = 0; k < 3; ++k)
-            cells_[i][k] = static_cast<std::int64_t>(std::floor(std::clamp(p[k] / cell_size_, -0x1p62, 0x1p62)));
+            cells_[i][k] = static_cast<std::int64_t>(std::floor(std::clamp(p[k] / cell_size_, -furthest, furthest)));
         file(static_cast<BodyId>(i));
     }
 }

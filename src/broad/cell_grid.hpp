@@ -5,6 +5,7 @@
 /// tests, never a neighbour.
 #pragma once
 
+#include "broad/tolerances.hpp"
 #include "flight/frame.hpp"
 
 #include <array>
@@ -31,7 +32,7 @@ public:
 
     /// Distance from its cell at which a body is filed anew [length]; the reach has room for it. Without it a body that
     /// turns round at a wall faster than times can tell would cross the wall for ever.
-    double slack() const { return 0x1p-10 * cell_size_; }
+    double slack() const { return cell_slack * cell_size_; }
 
     /// The other bodies filed in the 27 cells around `body`, in no particular order.
     template <class Visit>

@@ -2,6 +2,7 @@
 
 #include "cli/choices.hpp"
 #include "core/names.hpp"
+#include "motion/tolerances.hpp"
 
 #include <fmt/format.h>
 
@@ -43,7 +44,8 @@ std::string impact_words(const Scene& scene)
         if (impact.lcp.solver == LcpSolver::gauss_seidel) text += fmt::format(", {} sweeps", impact.lcp.sweeps);
         text += ")";
     }
-    return text + (impact.tie ? fmt::format(", tie {:.3g} r", *impact.tie) : ", tie 1e-12 r, 0 in certified runs");
+    return text + (impact.tie ? fmt::format(", tie {:.3g} r", *impact.tie)
+                              : fmt::format(", tie {:.3g} r, 0 in certified runs", default_tie));
 }
 
 std::string rest_words(const Scene& scene)

@@ -4,15 +4,10 @@
 #pragma once
 
 #include "contact/contact.hpp"
-
+#include "contact/tolerances.hpp"
 #include "projection/half_space.hpp"
 
 namespace carom {
-
-/// Speeds below this part of the largest one are rounding, to whoever projects.
-inline constexpr double projection_tolerance = 1e-13;
-/// Contacts that close slower than this part of the largest speed do not close (docs/impacts.md, section 3).
-inline constexpr double closing_tolerance = 1e-12;
 
 /// The projection problem of a cluster: half-spaces c_i >= 0 in the order of the contacts, start = the velocities.
 ProjectionProblem projection_problem(const ContactProblem& cluster);

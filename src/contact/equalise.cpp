@@ -1,5 +1,6 @@
 #include "contact/equalise.hpp"
 
+#include "contact/tolerances.hpp"
 #include "projection/shortest_change.hpp"
 
 #include <algorithm>
@@ -10,16 +11,12 @@ namespace carom {
 
 namespace {
 
-/// How much further than the widest gap that is to close (or the fastest) a body may go: a tower of n needs 2 n / pi
-/// (from its smallest singular value), a sphere between two walls as far as their angle says. One pinched between two
-/// that do not give way could close both gaps a few radii aside, where their normals differ.
-double stretch(std::size_t contacts)
+/// How much further than the widest gap that is to close (or the fastest) a body may go. One pinched between two that
+/// do not give way could close both gaps a few radii aside, where their normals differ.
+double longest_way(std::size_t contacts)
 {
-    return 256 + 4 * static_cast<double>(contacts);
+    return stretch + stretch_each * static_cast<double>(contacts);
 }
-
-/// Fewer contacts are equalised sooner than factored.
-constexpr std::size_t factored_from = 16;
 
 }  // namespace
 
@@ -34,7 +31,7 @@ EqualisingChange equalising_change(const ContactProblem& cluster, std::span<cons
         const Contact& c = cluster.contacts[i];
         normals.emplace_back(HalfSpace{c.a, c.b, c.normal, 0}, w);
         scaled.push_back(wanted[i] / normals.back().length);
-        far = std::max(far, stretch(wanted.size()) * std::abs(wanted[i]));
+        far = std::max(far, longest_way(wanted.size()) * std::abs(wanted[i]));
     }
     std::vector<double> furthest;
     for (const double each : w) furthest.push_back(far / std::sqrt(each));

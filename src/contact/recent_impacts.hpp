@@ -2,6 +2,7 @@
 /// Times at which contacts closed last: one that closed less than tau_p ago and closes again is inelastic.
 #pragma once
 
+#include "contact/tolerances.hpp"
 #include "flight/frame.hpp"
 
 #include <cstddef>
@@ -14,7 +15,7 @@ class RecentImpacts {
 public:
     /// \param window tau_p >= 0 [time] \param bodies spheres of the run: the memory is a small multiple of them
     RecentImpacts(const Frame& frame, double window, std::size_t bodies)
-        : frame_(frame), window_(window), most_(least + 8 * bodies)
+        : frame_(frame), window_(window), most_(remembered + remembered_each * bodies)
     {
     }
 
@@ -30,8 +31,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t least = 1024;
-
     static std::uint64_t pair(BodyId a, BodyId b)
     {
         const auto low = static_cast<std::uint32_t>(a < b ? a : b), high = static_cast<std::uint32_t>(a < b ? b : a);

@@ -1,6 +1,7 @@
 #include "event_driven/range.hpp"
 
 #include "core/text.hpp"
+#include "event_driven/tolerances.hpp"
 #include "flight/frame.hpp"
 #include "math/length.hpp"
 
@@ -11,8 +12,6 @@
 namespace carom {
 
 namespace {
-
-constexpr double most = 0x1p400, least = 0x1p-400, longest = 0x1p800;
 
 double largest(const Vec3& v)
 {
@@ -32,27 +31,25 @@ std::string too_small(const std::string& what, double x)
 std::string of_sphere(const Sphere& s)
 {
     const double size = std::max(s.radius, largest(s.position));
-    if (!(size <= most)) return too_large(s.id + ": a length", size);
-    if (!(s.radius >= least)) return too_small(s.id + ": a radius", s.radius);
-    if (!(s.mass <= most)) return too_large(s.id + ": a mass", s.mass);
-    if (!(s.mass >= least)) return too_small(s.id + ": a mass", s.mass);
-    if (!(largest(s.velocity) <= most)) return too_large(s.id + ": a speed", largest(s.velocity));
+    if (!(size <= largest_size)) return too_large(s.id + ": a length", size);
+    if (!(s.radius >= smallest_size)) return too_small(s.id + ": a radius", s.radius);
+    if (!(s.mass <= largest_size)) return too_large(s.id + ": a mass", s.mass);
+    if (!(s.mass >= smallest_size)) return too_small(s.id + ": a mass", s.mass);
+    if (!(largest(s.velocity) <= largest_size)) return too_large(s.id + ": a speed", largest(s.velocity));
     return {};
 }
 
 std::string of_frame(const Scene& scene, double until)
 {
-    // Far enough below 2^63 that sums of a few fit, too.
-    constexpr double most_cells = 0x1p60, most_epochs = 0x1p60;
     const Frame frame = make_frame(scene);
     for (const Sphere& s : scene.spheres)
-        if (!(largest(s.position) <= most_cells * frame.cell_size))
+        if (!(largest(s.position) <= furthest_in_scenes * frame.cell_size))
             return s.id + ": a place " + to_text(largest(s.position)) +
                    " is beyond 2^60 times the smallest radius (move the origin, or leave the smallest sphere out)";
-    if (!(until <= most_epochs * frame.epoch_length))
+    if (!(until <= furthest_in_scenes * frame.epoch_length))
         return "an end at " + to_text(until) + " is too far for the fastest sphere: it passes its radius in " +
                to_text(frame.epoch_length) + ", and times are exact up to " +
-               to_text(most_epochs * frame.epoch_length) + " (choose an earlier end)";
+               to_text(furthest_in_scenes * frame.epoch_length) + " (choose an earlier end)";
     return {};
 }
 
@@ -60,9 +57,9 @@ std::string of_frame(const Scene& scene, double until)
 
 std::string out_of_range(const Scene& scene, double until)
 {
-    if (!(std::max(until, scene.end_time) <= longest))
+    if (!(std::max(until, scene.end_time) <= longest_run))
         return too_large("a time", std::max(until, scene.end_time), "2^800");
-    if (!(largest(scene.gravity) <= most)) return too_large("an acceleration", largest(scene.gravity));
+    if (!(largest(scene.gravity) <= largest_size)) return too_large("an acceleration", largest(scene.gravity));
     double heaviest = 0, lightest = std::numeric_limits<double>::infinity(), fastest = 0;
     for (const Sphere& s : scene.spheres) {
         if (std::string why = of_sphere(s); !why.empty()) return why;
@@ -72,13 +69,12 @@ std::string out_of_range(const Scene& scene, double until)
         fastest = std::max(fastest, length(s.velocity));
     }
     for (const Plane& p : scene.planes)
-        if (const double size = std::max(std::abs(p.offset), p.thickness.value_or(0)); !(size <= most))
+        if (const double size = std::max(std::abs(p.offset), p.thickness.value_or(0)); !(size <= largest_size))
             return too_large(p.id + ": a length", size);
     const double spheres = static_cast<double>(scene.spheres.size());
     const double reached = fastest == 0 ? 0 : std::sqrt(spheres * (heaviest / lightest)) * fastest;
-    if (!(reached <= most)) return too_large("the lightest sphere with all the energy: a speed", reached);
-    constexpr double furthest_flight = 0x1p1000;
-    if (!((reached + length(scene.gravity) * until) * until <= furthest_flight))
+    if (!(reached <= largest_size)) return too_large("the lightest sphere with all the energy: a speed", reached);
+    if (!((reached + length(scene.gravity) * until) * until <= longest_flight))
         return "an end at " + to_text(until) + " is so late that a flight until then leaves the range of doubles";
     return of_frame(scene, until);
 }

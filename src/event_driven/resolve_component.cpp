@@ -1,6 +1,7 @@
 #include "event_driven/resolve_component.hpp"
 
 #include "contact/contact_problem.hpp"
+#include "event_driven/tolerances.hpp"
 #include "hold/hold_component.hpp"
 #include "hold/rest_policy.hpp"
 #include "impact/resolve_cluster.hpp"
@@ -14,9 +15,6 @@
 namespace carom {
 
 namespace {
-
-/// Of the largest speed: impulses that change speeds by less are what rounding leaves of none.
-constexpr double rounding = 1e-13;
 
 class Resolver {
 public:
@@ -37,16 +35,16 @@ public:
         const double speed = std::max(speed_, largest_speed(velocities_before(component_.problem)));
         const HeldContacts held = hold(state_, component_, now_, out_);
         // If the impulse of the event's own contact is less than slow, so are those that balance it.
-        double least = slow(speed);
+        double least = state_.tolerances.slow(speed);
         for (std::size_t i = 0; i < contacts.size(); ++i)
             if (is_asked(contacts[i]))
-                least = std::min(least, 1e-3 * length(impulses_[i] + held.impulses[i] * contacts[i].normal) *
+                least = std::min(least, balancing_part * length(impulses_[i] + held.impulses[i] * contacts[i].normal) *
                                             lightness(contacts[i]));
-        least = std::max(least, rounding * speed);
+        least = std::max(least, state_.tolerances.impulse * speed);
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const Contact& c = contacts[i];
             Vec3 impulse = Vec3::Zero();
-            if (length(impulses_[i]) * lightness(c) > rounding * speed) impulse += impulses_[i];
+            if (length(impulses_[i]) * lightness(c) > state_.tolerances.impulse * speed) impulse += impulses_[i];
             if (is_asked(c) || std::abs(held.impulses[i]) * lightness(c) > least)
                 impulse += held.impulses[i] * c.normal;
             record(c, impulse, held.persists[i]);
@@ -64,7 +62,7 @@ private:
         ContactProblem cluster = component_.problem;
         const std::vector<Vec3> before = velocities_before(cluster);
         speed_ = largest_speed(before);
-        const auto closes = [&](const Contact& c) { return closing_rate(c, before) < -slow(speed_); };
+        const auto closes = [&](const Contact& c) { return closing_rate(c, before) < -state_.tolerances.slow(speed_); };
         if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), closes)) return;
 
         const bool inelastic = apply_policy(cluster);
@@ -139,9 +137,6 @@ private:
         return (a == key_->a && c.partner == key_->b) ||
                (c.partner == Partner::sphere(key_->a) && key_->b == Partner::sphere(a));
     }
-
-    /// Slower is as good as not at all, where contacts persist.
-    double slow(double speed) const { return std::max(1e-6 * state_.rest.closing_speed, 1e-12 * speed); }
 
     double lightness(const Contact& c) const
     {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "event_driven/resolve.hpp"
+#include "event_driven/tolerances.hpp"
 #include "motion/kinematics.hpp"
 
 namespace carom {
@@ -11,10 +12,6 @@ namespace carom {
 /// resolve_component; then `out` is of no use
 bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out);
 bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out);
-
-/// After an impact the kernel must not see its contact close again; rounding may say otherwise. Nudges of growing size,
-/// the first within a few ulps of the speed, end that: at most so many.
-inline constexpr int most_nudges = 64;
 
 /// The body's motion from here on if nothing happens to it: to be edited.
 inline Change& add_change(const State& state, BodyId body, const EpochTime& now, EventOutcome& out)

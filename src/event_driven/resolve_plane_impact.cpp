@@ -5,7 +5,6 @@
 #include "hold/rest_policy.hpp"
 #include "hold/support.hpp"
 #include "impact/pair_law.hpp"
-#include "math/error_free.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +52,8 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
     if (support == SupportAfterImpact::released) out.events.push_back(release_event(state, id));
     if (support == SupportAfterImpact::pushed) return false;
     const double gravity = -normal.dot(state.acceleration(f));  // > 0 presses, as it goes on
-    double nudge = 4 * unit_roundoff * std::sqrt(f.velocity.squaredNorm());
+    // The kernel must not see the contact close again; rounding may say otherwise.
+    double nudge = first_nudge * std::sqrt(f.velocity.squaredNorm());
     for (int i = 0; i < most_nudges && encounter.approach_sign() < 0; ++i, nudge *= 2) f.velocity += nudge * normal;
 
     const double w = normal.dot(f.velocity);

@@ -4,7 +4,6 @@
 #include "hold/rest_policy.hpp"
 #include "hold/support.hpp"
 #include "impact/pair_law.hpp"
-#include "math/error_free.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +58,8 @@ bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourho
         if (support == SupportAfterImpact::pushed) return false;
     }
     const double reduced_mass = 1 / (inverse_a + inverse_b);
-    double nudge = 4 * unit_roundoff * speeds;
+    // The kernel must not see the contact close again; rounding may say otherwise.
+    double nudge = first_nudge * speeds;
     for (int i = 0; i < most_nudges && encounter.approach_sign() < 0; ++i, nudge *= 2) {
         a.velocity += (nudge * reduced_mass * inverse_a) * normal;
         b.velocity -= (nudge * reduced_mass * inverse_b) * normal;

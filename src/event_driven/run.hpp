@@ -6,6 +6,7 @@
 #include "event_driven/impact_rate.hpp"
 #include "event_driven/ledger.hpp"
 #include "event_driven/resolve.hpp"
+#include "event_driven/tolerances.hpp"
 #include "hold/guard.hpp"
 #include "hold/numeric_motion.hpp"
 #include "hold/support.hpp"
@@ -57,7 +58,7 @@ private:
 
     static std::optional<Clock::time_point> deadline(const RunOptions& options)
     {
-        if (!(options.max_seconds < 1e9)) return {};
+        if (!(options.max_seconds < longest_deadline)) return {};
         return Clock::now() +
                std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.max_seconds));
     }
@@ -203,7 +204,7 @@ private:
 
     int bounces_at_once() const
     {
-        return static_cast<int>(std::min<std::int64_t>(256, options_.max_events - ledger_.events()));
+        return static_cast<int>(std::min<std::int64_t>(look_every, options_.max_events - ledger_.events()));
     }
 
     Status limits() { return ledger_.events() < options_.max_events ? Status::reached_end : event_limit(); }
@@ -215,7 +216,6 @@ private:
     /// Now and then, also where nothing happens but cell crossings: is there time, and does the observer want more?
     Status look(const EpochTime& time)
     {
-        constexpr std::int64_t look_every = 256;
         if (++looked_at_ % look_every != 0) return Status::reached_end;
         const bool late = deadline_ && Clock::now() > *deadline_;
         if (!late && (!observer_.on_progress || observer_.on_progress(state_.frame.seconds(time))))

@@ -207,7 +207,7 @@ void number_bodies(const State& state, const std::vector<std::pair<BodyId, Fligh
 
 double persistence_gap(const State& state, BodyId a, Partner b)
 {
-    return std::max(state.rest.gap_tolerance, declared_contact * state.smaller_radius(a, b));
+    return state.tolerances.closed(state.smaller_radius(a, b));
 }
 
 ContactComponent gather(const State& state, const Key& contact, const Neighbourhood& neighbourhood)

@@ -2,6 +2,7 @@
 /// Spheres near each other, before contacts are measured.
 #pragma once
 
+#include "gather/tolerances.hpp"
 #include "motion/state.hpp"
 
 #include <functional>
@@ -22,7 +23,7 @@ inline bool may_touch(const State& state, BodyId body, const Flight& now, BodyId
     Vec3 r = separation(state.frame, now.place, f.place) - dt * f.velocity;
     if (f.acceleration != Accelerations::none) r -= (0.5 * dt * dt) * state.acceleration(f);
     const bool in_piece = state.bodies.is_in_piece(other) || state.bodies.is_in_piece(body);
-    const double generous = in_piece ? 1.001 : 1.00005;  // pieces are no parabolas
+    const double generous = in_piece ? look_slack_in_pieces : look_slack;
     const double reach = generous * (state.radius(body) + state.radius(other) + margin);
     return r.squaredNorm() <= reach * reach;
 }

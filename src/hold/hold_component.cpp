@@ -4,8 +4,8 @@
 #include "hold/numeric_motion.hpp"
 #include "hold/persistence.hpp"
 #include "hold/support.hpp"
-#include "math/error_free.hpp"
 #include "math/length.hpp"
+#include "motion/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +143,8 @@ private:
         Change change = change_of(k);
         Flight& f = change.flight;
         const double c = t.normal.dot(f.velocity);
-        if (std::abs(c) > 4 * unit_roundoff * length(f.velocity)) f.velocity -= (c / t.normal.squaredNorm()) * t.normal;
+        if (std::abs(c) > normal_speed_rounding * length(f.velocity))
+            f.velocity -= (c / t.normal.squaredNorm()) * t.normal;
         lean(state_, t.partner.index, change);
         out_.changes.push_back(change);
     }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gather/may_touch.hpp"
-#include "math/error_free.hpp"
+#include "hold/tolerances.hpp"
 
 #include <cmath>
 
@@ -15,11 +15,10 @@ namespace carom {
 /// [length/time^2]
 inline bool is_rest(double scale, const Vec3& velocity, double w, double gravity)
 {
-    constexpr double u = unit_roundoff;
     // w^2/g, in an order that stays within doubles however weak gravity is.
-    if (gravity > 0) return w * (w / gravity) <= 2 * 16 * u * scale;
+    if (gravity > 0) return w * (w / gravity) <= 2 * rest_height * scale;
     if (gravity < 0) return false;
-    return w <= 8 * u * std::sqrt(velocity.squaredNorm());
+    return w <= no_normal_speed * std::sqrt(velocity.squaredNorm());
 }
 
 /// Is the next bounce one of those that are summed in closed form, not events of their own?

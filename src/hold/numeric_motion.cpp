@@ -1,6 +1,6 @@
 #include "hold/numeric_motion.hpp"
 
-#include "math/error_free.hpp"
+#include "hold/tolerances.hpp"
 #include "motion/moment.hpp"
 #include "motion/relative.hpp"
 
@@ -11,10 +11,6 @@
 namespace carom {
 
 namespace {
-
-/// Of the smallest radius: see NumericCluster. A ball that rolls off another one as gravity has it needs 1e-8, in a
-/// step of h.
-constexpr double agreement = 3e-7;
 
 /// \param number of the component's bodies in the cluster, where they move
 /// \pre one of the contact's bodies moves
@@ -62,12 +58,11 @@ double depth(const NumericCluster& cluster, const std::vector<Vec3>& acceleratio
     return deepest;
 }
 
-/// A heap that is hot is interrupted all the time, and what was found for later times is of no use: a step is no longer
-/// than four times the last ones came to, on average over the bodies.
+/// A step in a heap that is hot, and interrupted all the time, is little longer than the last ones came to, on average
+/// over the bodies.
 double step_length(const State& state, const ContactComponent& component, std::span<const std::size_t> part,
                    const EpochTime& now)
 {
-    constexpr double growth = 4, shortest = 0x1p-6;
     const double h = state.rest.numeric_step;
     double sum = 0;
     int count = 0;
@@ -77,7 +72,7 @@ double step_length(const State& state, const ContactComponent& component, std::s
         sum += state.frame.between(state.flight(body).start, now);
         ++count;
     }
-    return count == 0 ? h : std::clamp(growth * sum / count, shortest * h, h);
+    return count == 0 ? h : std::clamp(step_growth * sum / count, shortest_step * h, h);
 }
 
 }  // namespace
@@ -90,8 +85,7 @@ EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& e
     // Newton's method from the right, between a time before the contact and one after it.
     const double latest = state.frame.between(earliest, key.time);
     double t = latest, before = -1, after = latest;
-    constexpr int steps = 8;
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < most_contact_steps; ++i) {
         const EpochTime time = state.frame.after(earliest, t);
         const Flight a = flight_within_step(state, key.a, time);
         const Flight b = sphere ? flight_within_step(state, key.b.index, time) : Flight{};
@@ -100,7 +94,7 @@ EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& e
         if (i == 0 && !(contact.gap < 0)) return key.time;
         if (i == 0 && !(rate < 0)) return key.time;
         // What opens is the end of an earlier contact.
-        const bool close = std::abs(contact.gap) <= unit_roundoff * state.radius(key.a);
+        const bool close = std::abs(contact.gap) <= closed_gap * state.radius(key.a);
         const bool closed = (contact.gap < 0 || close) && rate < 0;
         (closed ? after : before) = t;
         if ((closed && close) || !(after > 0)) break;
@@ -131,7 +125,7 @@ NumericMotion numeric_motion(const State& state, const ContactComponent& compone
         cluster.bodies.push_back(
             {separation(state.frame, component.flights[k].place, piece->centre), body.velocity, body.inverse_mass});
     }
-    cluster.agreement = agreement * radius;
+    cluster.agreement = step_agreement * radius;
     std::vector<std::size_t> concerned;
     for (const std::size_t i : held) {
         const Contact& contact = component.problem.contacts[i];

@@ -5,8 +5,8 @@
 #include "contact/equalise.hpp"
 #include "impact/operators.hpp"
 #include "math/disjoint_sets.hpp"
-#include "math/error_free.hpp"
 #include "math/length.hpp"
+#include "motion/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,8 @@ Persistence::Persistence(const State& state, ContactComponent component)
     : state_(state),
       component_(std::move(component)),
       gravity_(state.gravity()),
-      slow_(std::max(1e-6 * state.rest.closing_speed, 1e-12 * fastest(component_))),
-      soft_(1e-9 * length(gravity_)),
+      slow_(state.tolerances.slow(fastest(component_))),
+      soft_(state.tolerances.acceleration),
       released_(component_.problem.contacts.size(), 0),
       impulses_(component_.problem.contacts.size(), 0)
 {
@@ -281,7 +281,7 @@ void Persistence::follow_planes()
         const auto k = static_cast<std::size_t>(a(i));
         if (!persists_[i] || !c.partner.is_plane() || held[k] > 1) continue;
         Vec3& v = velocity(k);
-        if (std::abs(rate(i)) > 4 * unit_roundoff * length(v)) v -= (rate(i) / c.normal.squaredNorm()) * c.normal;
+        if (std::abs(rate(i)) > normal_speed_rounding * length(v)) v -= (rate(i) / c.normal.squaredNorm()) * c.normal;
     }
 }
 

@@ -1,6 +1,6 @@
 #include "hold/support.hpp"
 
-#include "math/error_free.hpp"
+#include "hold/tolerances.hpp"
 #include "motion/height.hpp"
 #include "scene/pair_gap.hpp"
 
@@ -42,7 +42,7 @@ SupportAfterImpact keep_to_support(const State& state, Change& change)
     Flight& f = change.flight;
     const Vec3 normal = facing_normal(state, support->plane, f.place);
     const double c = normal.dot(f.velocity) / normal.squaredNorm();
-    if (std::abs(c) <= 1e-6 * state.rest.closing_speed) {
+    if (std::abs(c) <= state.tolerances.speed) {
         f.velocity -= c * normal;
         change.motion = leaning(state, support->plane, f);
         return SupportAfterImpact::kept;
@@ -64,7 +64,7 @@ std::vector<Change> initial_contacts(const State& state)
             const Vec3 normal = facing_normal(state, p, f.place);
             const double gravity = -normal.dot(state.acceleration(f));
             const double w = normal.dot(f.velocity);
-            if (!(gravity > 0) || std::abs(w) > 8 * unit_roundoff * std::sqrt(f.velocity.squaredNorm())) continue;
+            if (!(gravity > 0) || std::abs(w) > no_normal_speed * std::sqrt(f.velocity.squaredNorm())) continue;
             f.velocity -= w / normal.squaredNorm() * normal;  // what slides along a tilted plane rounds
             lean(state, p, change);
             changes.push_back(change);

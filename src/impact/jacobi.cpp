@@ -7,19 +7,16 @@
 #include "impact/operators.hpp"
 
 #include "contact/contact_problem.hpp"
+#include "impact/tolerances.hpp"
 
 namespace carom {
-
-namespace {
-constexpr double too_much_energy = 1e6;
-}
 
 NormalImpact jacobi(const ContactProblem& cluster)
 {
     ProjectionProblem at = projection_problem(cluster);
     const double eps = closing_tolerance * largest_speed(at.start);
     const double energy = kinetic_energy(cluster, at.start);
-    const int most = 100 + 10 * static_cast<int>(cluster.contacts.size());
+    const int most = usual_rounds + usual_rounds_each * static_cast<int>(cluster.contacts.size());
     NormalImpact out;
     out.impulses.assign(cluster.contacts.size(), 0);
     for (; out.rounds <= most && kinetic_energy(cluster, at.start) <= too_much_energy * energy; ++out.rounds) {

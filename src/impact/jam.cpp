@@ -1,5 +1,6 @@
 #include "impact/jam.hpp"
 
+#include "impact/tolerances.hpp"
 #include "projection/components.hpp"
 #include "projection/dual_active_set.hpp"
 
@@ -7,15 +8,6 @@
 #include <cmath>
 
 namespace carom {
-
-namespace {
-/// delta: unit normals whose convex hull comes nearer to 0 than this are jammed.
-constexpr double smallest_opening = 1e-7;
-/// Of the openings asked for, which are 1.
-constexpr double opening_tolerance = 1e-6;
-/// Connected contacts beyond which the test would take seconds; rounds then meet their bound.
-constexpr std::size_t most_asked = 200;
-}  // namespace
 
 bool mark_jammed(const ProjectionProblem& problem, std::span<const int> asked, std::vector<char>& jammed)
 {

@@ -1,15 +1,13 @@
 #include "impact/pair_sweeps.hpp"
 
 #include "contact/contact_problem.hpp"
+#include "impact/tolerances.hpp"
 
 #include <algorithm>
 
 namespace carom {
 
 namespace {
-
-/// Of the largest speed at the start: what is slower has collapsed.
-constexpr double collapsed = 1e-200;
 
 double speed_of(const Contact& contact, const std::vector<Vec3>& velocities)
 {

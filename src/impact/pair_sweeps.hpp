@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/contact.hpp"
+#include "impact/tolerances.hpp"
 
 #include <span>
 #include <vector>
@@ -24,10 +25,10 @@ struct PairSweeps {
 bool sweep_pairs(const ContactProblem& cluster, std::span<const int> contacts, std::span<const double> inverse_masses,
                  int most, PairSweeps& state);
 
-/// Of impulses in a cluster, for operators that need one for each contact again and again.
+/// The bound on impulses in a cluster, for operators that give each contact one again and again.
 inline int most_impulses(std::size_t contacts)
 {
-    return 10000 + 100 * static_cast<int>(contacts);
+    return pair_impulses + pair_impulses_each * static_cast<int>(contacts);
 }
 
 }  // namespace carom

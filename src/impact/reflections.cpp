@@ -18,6 +18,7 @@
 
 #include "contact/contact_problem.hpp"
 #include "impact/jam.hpp"
+#include "impact/tolerances.hpp"
 
 #include "projection/project.hpp"
 
@@ -28,18 +29,11 @@ namespace carom {
 
 namespace {
 
-/// Rounds end where they end; only those that go on for so long are asked whether they are jammed.
-constexpr int rounds_before_jam_test = 24;
-/// Of them the last ones, which tell what goes on and on; larger clusters are asked for these contacts only.
-constexpr int recent_rounds = 8;
-constexpr std::size_t asked_as_a_whole = 100;
-
-/// Clusters of more than 100 contacts are no harder, but their rounds cost more. Elastic ones have nothing to fall back
-/// on that keeps their energy: a light body between two of M times its mass alone needs some 3 M^(1/2) rounds.
+/// Bound of the rounds, for elastic clusters a far one.
 int most_rounds(std::size_t contacts, bool elastic)
 {
-    const int usual = 100 + 10 * static_cast<int>(std::min<std::size_t>(contacts, 100));
-    return elastic ? std::max(usual, static_cast<int>(1'000'000 / contacts)) : usual;
+    const int usual = usual_rounds + usual_rounds_each * static_cast<int>(std::min(contacts, hardest_cluster));
+    return elastic ? std::max(usual, static_cast<int>(elastic_rounds / contacts)) : usual;
 }
 
 struct Rounds {
@@ -52,9 +46,7 @@ struct Rounds {
 class Reflections {
 public:
     explicit Reflections(const ProjectionProblem& problem)
-        : problem_(problem),
-          eps_(closing_tolerance / projection_tolerance * problem.tolerance),
-          jammed_(problem.half_spaces.size(), 0)
+        : problem_(problem), eps_(closing_in_projections * problem.tolerance), jammed_(problem.half_spaces.size(), 0)
     {
     }
 
@@ -157,7 +149,7 @@ double blended_restitution(const ContactProblem& cluster, const ProjectionProble
     double sum = 0, weighted = 0;
     for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
         const HalfSpace& h = problem.half_spaces[i];
-        if (slack(h, without) > closing_tolerance / projection_tolerance * problem.tolerance) continue;
+        if (slack(h, without) > closing_in_projections * problem.tolerance) continue;
         const double closing = std::max(0.0, -slack(h, problem.start));
         const double energy = closing * closing / normal_length2(h, problem.w);
         sum += energy;

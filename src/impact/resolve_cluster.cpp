@@ -4,6 +4,7 @@
 #include "impact/operators.hpp"
 #include "impact/pair_law.hpp"
 #include "impact/tangential.hpp"
+#include "impact/tolerances.hpp"
 
 #include "core/expect.hpp"
 #include "projection/project.hpp"
@@ -13,11 +14,6 @@
 namespace carom {
 
 namespace {
-
-/// Of the largest speed before: no contact closes faster after.
-[[maybe_unused]] constexpr double feasible = 1e-9;
-/// Of the energy before: what rounding may add.
-[[maybe_unused]] constexpr double energy_rounding = 1e-9;
 
 ClusterImpact single_contact(const ContactProblem& cluster)
 {
@@ -88,17 +84,15 @@ void open_all(const ContactProblem& cluster, ClusterImpact& out)
            options.impact_operator == ImpactOperator::sequential;
 }
 
-/// Whether masses are alike enough for a promise. A light body between much heavier ones makes contacts that depend on
-/// each other to within the ratio: beyond this one doubles cannot tell.
+/// Whether anything is promised for this ratio of masses.
 [[maybe_unused]] bool is_well_scaled(const ContactProblem& cluster)
 {
-    constexpr double most = 1e12;
     double least = cluster.bodies.front().inverse_mass, largest = least;
     for (const ContactBody& body : cluster.bodies) {
         least = std::min(least, body.inverse_mass);
         largest = std::max(largest, body.inverse_mass);
     }
-    return largest <= most * least;
+    return largest <= largest_mass_ratio * least;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "motion/number.hpp"
+#include "motion/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ inline EpochTime step_back(const Frame& frame, const EpochTime& from, const Epoc
 {
     EpochTime back = t;
     if (back.offset > 0) {
-        back.offset = std::max(0.0, back.offset - unit_roundoff * frame.epoch_length);
+        back.offset = std::max(0.0, back.offset - time_resolution * frame.epoch_length);
         if (back.offset == t.offset) back.offset = std::nextafter(t.offset, 0.0);
     } else {
         back = {t.epoch - 1, std::nextafter(frame.epoch_length, 0.0)};
@@ -26,7 +27,7 @@ inline EpochTime step_back(const Frame& frame, const EpochTime& from, const Epoc
 inline EpochTime rough_time(const Frame& frame, const EpochTime& from, double t)
 {
     EpochTime time = frame.after(from, t);
-    for (int i = 0; i < 6 && from < time && time != never; ++i) time = step_back(frame, from, time);
+    for (int i = 0; i < rough_steps && from < time && time != never; ++i) time = step_back(frame, from, time);
     return time;
 }
 
@@ -45,10 +46,9 @@ inline EpochTime no_later(const Frame& frame, const EpochTime& from, DoubleDoubl
     if (time == never) return time;
     // After a long wait the last bit of t.high is many steps of the resolution.
     const DoubleDouble rest = t - elapsed<DoubleDouble>(frame, from, time);
-    if (std::abs(rest.high) > unit_roundoff * frame.epoch_length)
+    if (std::abs(rest.high) > time_resolution * frame.epoch_length)
         time = std::max(from, shifted(frame, time, rest.high));
-    constexpr int most_steps = 16;
-    for (int i = 0; i < most_steps && from < time && elapsed<DoubleDouble>(frame, from, time) > t; ++i)
+    for (int i = 0; i < most_late_steps && from < time && elapsed<DoubleDouble>(frame, from, time) > t; ++i)
         time = step_back(frame, from, time);
     return time;
 }

@@ -7,8 +7,6 @@ namespace carom {
 
 namespace {
 
-constexpr double u = unit_roundoff;
-
 ContactTime contact_time(const Frame& frame, const EpochTime& from, const Enclosure<DoubleDouble>& e)
 {
     if (e.decided == Decision::none) return {};
@@ -22,11 +20,10 @@ bool certainly_separating(const Vec3& r, const Vec3& v, const SphereInputError& 
     const double p1 = r.x() * v.x(), p2 = r.y() * v.y(), p3 = r.z() * v.z();
     const double rs = std::abs(r.x()) + std::abs(r.y()) + std::abs(r.z()),
                  vs = std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z());
-    const double bound = 8 * u * (std::abs(p1) + std::abs(p2) + std::abs(p3)) + 2 * (error.v * rs + error.r * vs) +
-                         4 * error.r * error.v;
+    const double bound = dot_rounding * (std::abs(p1) + std::abs(p2) + std::abs(p3)) +
+                         2 * (error.v * rs + error.r * vs) + 4 * error.r * error.v;
     // An overflow or underflow must not pass for certain.
-    constexpr double least = 0x1p-900;
-    return p1 + p2 + p3 > bound && bound > least;
+    return p1 + p2 + p3 > bound && bound > least_certain;
 }
 
 /// Whether a sphere has certainly no speed and no acceleration towards a plane that is no plate: most walls, most of
@@ -34,12 +31,13 @@ bool certainly_separating(const Vec3& r, const Vec3& v, const SphereInputError& 
 bool certainly_receding(const State& state, const Flight& f, int p)
 {
     const Plane& plane = state.plane(p);
-    if (plane.thickness || !(plane.normal.dot(f.velocity) > 8 * u * largest(f.velocity))) return false;
+    if (plane.thickness || !(plane.normal.dot(f.velocity) > normal_component_rounding * largest(f.velocity)))
+        return false;
     if (f.acceleration == Accelerations::none) return true;
     const Vec3& g = state.acceleration(f);
     bool across = true;  // gravity along the plane, to the last bit
     for (int k = 0; k < 3; ++k) across = across && (plane.normal[k] == 0 || g[k] == 0);
-    return across || plane.normal.dot(g) > 8 * u * largest(g);
+    return across || plane.normal.dot(g) > normal_component_rounding * largest(g);
 }
 
 /// Errors of the relative motion in double against the exact one.
@@ -48,10 +46,10 @@ SphereInputError input_error(const State& state, const Flight& a, const Flight& 
     const Flight& older = a.start < b.start ? a : b;
     const double dt = state.frame.between(older.start, m.from);
     const double g = largest(state.acceleration(older)), speed = largest(older.velocity) + dt * g;
-    const double dt_error = 3 * u * dt + 2 * u * state.frame.epoch_length;
+    const double dt_error = elapsed_rounding * dt + offset_rounding * state.frame.epoch_length;
     SphereInputError error;
-    error.r = 6 * u * (largest(m.r) + state.frame.cell_size + dt * speed) + dt_error * speed;
-    error.v = 4 * u * (largest(m.v) + speed) + dt_error * g;
+    error.r = flown_place_rounding * (largest(m.r) + state.frame.cell_size + dt * speed) + dt_error * speed;
+    error.v = flown_speed_rounding * (largest(m.v) + speed) + dt_error * g;
     return error;
 }
 
@@ -59,8 +57,7 @@ SphereInputError input_error(const State& state, const Flight& a, const Flight& 
 template <class Depth>
 EpochTime outside(const Frame& frame, const EpochTime& from, EpochTime time, const Depth& overlap_at)
 {
-    constexpr int most_steps = 8;
-    for (int i = 0; i < most_steps && from < time && time != never && overlap_at(time) > 0; ++i)
+    for (int i = 0; i < most_steps_outside && from < time && time != never && overlap_at(time) > 0; ++i)
         time = step_back(frame, from, time);
     return time;
 }
@@ -109,8 +106,8 @@ ContactTime CertifiedKinematics::plane_time(const State& state, const Moving& sp
     if (certainly_receding(state, f, p)) return {};
     const PlaneMotion m = plane_motion(state, sphere, p);
     const double g = largest(state.acceleration(f));
-    const PlaneInputError error{8 * u * (std::abs(m.h) + state.frame.cell_size), 8 * u * largest(f.velocity),
-                                8 * u * g};
+    const PlaneInputError error{height_rounding * (std::abs(m.h) + state.frame.cell_size),
+                                normal_component_rounding * largest(f.velocity), normal_component_rounding * g};
     const Enclosure<double> quick = enclose_plane(m.h, m.w, m.g, error);
     if (quick.decided == Decision::none) return {};
     if (quick.decided == Decision::impact) return {true, rough_time(state.frame, f.start, quick.t_lo), true, false};
@@ -154,9 +151,9 @@ Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId body, c
 {
     if (partner.is_plane()) return PlaneQuery(state, a, body, partner.index).enclose_rounded();
     const double length = largest(separation(state.frame, a.place, b->place)) + state.frame.cell_size;
-    constexpr double rounding_of_places = 0x1p-90;
     return PairQuery(state, a, body, *b, partner.index)
-        .enclose_rounded({rounding_of_places * length, 2 * u * (largest(a.velocity) + largest(b->velocity)), 0});
+        .enclose_rounded(
+            {flown_to_rounding * length, flown_to_speed_rounding * (largest(a.velocity) + largest(b->velocity)), 0});
 }
 
 Encounter::Encounter(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner)
@@ -182,7 +179,7 @@ int Encounter::approach_sign() const
         return certified_ ? PairQuery(state_, a_, body_, *b_, partner_.index).approach_sign()
                           : carom::approach_sign(separation_, velocity());
     const double sum = normal_.dot(a_.velocity);
-    if (!certified_ || std::abs(sum) > 8 * u * normal_.cwiseProduct(a_.velocity).cwiseAbs().sum())
+    if (!certified_ || std::abs(sum) > dot_rounding * normal_.cwiseProduct(a_.velocity).cwiseAbs().sum())
         return sum < 0 ? -1 : sum > 0 ? 1 : 0;
     return PlaneQuery(state_, a_, body_, partner_.index).w().sign();
 }

@@ -83,9 +83,7 @@ private:
 inline EpochTime time_up_to(const Frame& frame, const EpochTime& from, double t, const EpochTime& limit)
 {
     const double left = frame.between(from, limit);
-    // between() and after() round by u of their sizes, and by u of an epoch, each.
-    constexpr double roundings = 8 * unit_roundoff;
-    return t > left + roundings * (std::abs(left) + frame.epoch_length) ? never : frame.after(from, t);
+    return t > left + wait_rounding * (std::abs(left) + frame.epoch_length) ? never : frame.after(from, t);
 }
 
 template <bool gravity>

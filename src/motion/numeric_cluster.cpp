@@ -2,6 +2,7 @@
 
 #include "contact/contact_forces.hpp"
 #include "contact/equalise.hpp"
+#include "motion/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +13,6 @@ namespace carom {
 namespace {
 
 using Bodies = std::vector<NumericBody>;
-
-/// Of a step: an opening that comes sooner is one of its beginning.
-constexpr double at_once = 1e-6;
-/// Steps are halved no more often.
-constexpr int most_halvings = 6;
 
 struct Geometry {
     Vec3 normal;
@@ -126,10 +122,9 @@ double step_to_opening(const NumericCluster& cluster, const ContactForces& start
 {
     double closed = 0, open = h, value_closed = opening(cluster, start, watched),
            value_open = opening(cluster, end.at_end, watched);
-    constexpr int most = 60;
-    const double enough = 1e-3 * cluster.opening;
+    const double enough = opened_enough * cluster.opening;
     int same_side = 0;
-    for (int i = 0; i < most && value_open > enough; ++i) {
+    for (int i = 0; i < most_opening_steps && value_open > enough; ++i) {
         double middle = open - value_open * ((open - closed) / (value_open - value_closed));
         if (!(closed < middle && middle < open)) middle = closed + (open - closed) / 2;
         RungeKutta tried = runge_kutta(cluster, start, middle);

@@ -7,9 +7,6 @@
 
 namespace carom {
 
-/// Relative error of a few operations in double-double, with room.
-inline constexpr double dd_error = 0x1p-100;
-
 /// Two spheres in uniform relative motion from the later of their starts.
 class PairQuery {
 public:
@@ -20,13 +17,13 @@ public:
         from = motion.from;
         r_ = as_vector(motion.r);
         v_ = as_vector(motion.v);
-        error_.r = dd_error * (largest(r_) + state.frame.cell_size);
+        error_.r = double_double_error * (largest(r_) + state.frame.cell_size);
         if (a.start == b.start) return;
         const Flight& older = a.start < b.start ? a : b;
         const double t = state.frame.between(older.start, from);
         const double speed = largest(older.velocity) + t * largest(state.acceleration(older));
-        error_.r += dd_error * 2 * t * speed;
-        error_.v = dd_error * (largest(v_) + speed);
+        error_.r += double_double_error * 2 * t * speed;
+        error_.v = double_double_error * (largest(v_) + speed);
     }
 
     Enclosure<DoubleDouble> enclose() const
@@ -54,7 +51,7 @@ public:
     double overlap() const
     {
         const DoubleDouble r2 = dot(r_, r_), s2 = s_ * s_;
-        Bounded c{r2 - s2, dd_error * (r2.high + s2.high)};
+        Bounded c{r2 - s2, double_double_error * (r2.high + s2.high)};
         if (c.open) c.sign = exact_gap(exact_r(), Dyadic(s_)).sign();
         return c.sign >= 0 ? 0 : -c.value.high / (2 * s_.high);
     }
@@ -62,12 +59,11 @@ public:
     /// The exact sign of d|r|/dt at `from`. \pre one start
     int approach_sign() const
     {
-        constexpr double u = unit_roundoff;
         const Vec3 v = a_.velocity - b_.velocity;
         const double p[3] = {r_.x.high * v.x(), r_.y.high * v.y(), r_.z.high * v.z()};
         const double sum = p[0] + p[1] + p[2], scale = std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
         // v is rounded once, and so may be far from a difference that nearly cancels: its own scale counts, too.
-        if (std::abs(sum) > 16 * u * (scale + largest(r_) * (largest(a_.velocity) + largest(b_.velocity))))
+        if (std::abs(sum) > approach_rounding * (scale + largest(r_) * (largest(a_.velocity) + largest(b_.velocity))))
             return sum < 0 ? -1 : 1;
         return exact_approach(exact_r(), exact_v()).sign();
     }

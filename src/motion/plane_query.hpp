@@ -20,7 +20,7 @@ public:
             const double n = plane_.normal[k];
             if (n != 0) scale += std::abs(n * cells(k)) + state.frame.cell_size;
         }
-        h_ = {height<DoubleDouble>(), dd_error * scale};
+        h_ = {height<DoubleDouble>(), double_double_error * scale};
         w_ = bounded_along(flight.velocity);
         g_ = bounded_along(state.acceleration(flight));
     }
@@ -66,7 +66,7 @@ private:
     }
     Bounded bounded_along(const Vec3& x) const
     {
-        return {along<DoubleDouble>(x), dd_error * plane_.normal.cwiseProduct(x).cwiseAbs().sum()};
+        return {along<DoubleDouble>(x), double_double_error * plane_.normal.cwiseProduct(x).cwiseAbs().sum()};
     }
 
     const State& state_;

@@ -80,8 +80,7 @@ bool meet_too_late(const State& state, BodyId a, BodyId b, const PairMotion& m, 
     const Accelerations& accelerations = state.bodies.accelerations();
     const Vec3 acceleration = accelerations[m.acceleration_a] - accelerations[m.acceleration_b];
     const double way = time * (length(m.v) + time / 2 * length(acceleration));
-    constexpr double rounding = 1 + 1e-9;
-    const double reach = rounding * (m.contact_distance + way);
+    const double reach = way_slack * (m.contact_distance + way);
     return m.r.squaredNorm() > reach * reach;
 }
 

@@ -1,5 +1,7 @@
 #include "motion/series.hpp"
 
+#include "motion/tolerances.hpp"
+
 #include <array>
 
 namespace carom {
@@ -49,18 +51,16 @@ SeriesState after(const Series& s, const Bounces& n, double rest)
     return state;
 }
 
-constexpr int doublings = 62;  ///< e^(2^62) is 0 for every double e < 1
-
 }  // namespace
 
 SeriesState state_in(const Series& s, double tau)
 {
     const double t1 = s.first_flight();
     // Powers of the bounce: 1, 2, 4, ... of them, as long as they fit into tau.
-    std::array<Bounces, doublings> power;
+    std::array<Bounces, most_doublings> power;
     power[0] = {s.restitution, s.tangential, 1, s.tangential, 1, 0.5};
     int n = 1;
-    while (n < doublings && t1 * power[n - 1].g <= tau && power[n - 1].e > 0) {
+    while (n < most_doublings && t1 * power[n - 1].g <= tau && power[n - 1].e > 0) {
         power[n] = followed(power[n - 1], power[n - 1]);
         ++n;
     }

@@ -6,14 +6,11 @@
 #include "contact/contact_laws.hpp"
 #include "contact/recent_impacts.hpp"
 #include "motion/bodies.hpp"
+#include "motion/run_tolerances.hpp"
 
 #include <carom/simulate.hpp>
 
 namespace carom {
-
-/// Two contacts whose gaps close within this fraction of the radius belong to one instant, unless the scene says
-/// otherwise.
-inline constexpr double default_tie = 1e-12;
 
 struct State {
     State(const Scene& scene, Precision precision);
@@ -23,6 +20,7 @@ struct State {
     const Frame frame;
     const ContactLaws laws;
     const RestThresholds rest;
+    const Tolerances tolerances;
     const bool loses_energy;  ///< some e < 1
     /// Gap up to which a contact that closed less than tau_p ago counts as closed when another one closes [length]: v_c
     /// tau_p / 4, the height of a rebound of v_c (this project; without it the contacts of a cluster close one after
@@ -69,7 +67,7 @@ struct State {
     }
 
     /// Largest gap at which a contact belongs to the instant of another [length]. \param radius the smaller one
-    double tie(double radius) const { return scene.impact.tie.value_or(default_tie) * radius; }
+    double tie(double radius) const { return tolerances.tie * radius; }
     /// Whether a contact with this gap belongs to the instant `now` of another: within the tie, or within rebound_gap
     /// if it closed less than tau_p ago.
     bool ties(BodyId a, Partner b, double gap, const EpochTime& now) const

@@ -14,7 +14,6 @@ Cells::Cells(const std::vector<double>& radii) : level_(radii.size()), marks_(ra
         by_size[exponent].push_back(static_cast<BodyId>(i));
     }
     // Few sizes keep a level each; should there be very many, neighbours share one.
-    constexpr std::size_t most_levels = 200;
     for (auto& [exponent, members] : by_size) {
         if (levels_.size() < most_levels) levels_.emplace_back();
         Level& level = levels_.back();
@@ -26,8 +25,7 @@ Cells::Cells(const std::vector<double>& radii) : level_(radii.size()), marks_(ra
     const int bits = std::max(4, static_cast<int>(std::bit_width(radii.size())) + 1);
     heads_.assign(std::size_t{1} << bits, -1);
     mask_ = heads_.size() - 1;
-    constexpr std::size_t usual = 5;  // entries a sphere: growing would take twice that
-    entries_.reserve(usual * radii.size());
+    entries_.reserve(usual_entries * radii.size());
 }
 
 void Cells::clear()
@@ -42,12 +40,11 @@ void Cells::clear()
 
 Cells::Range Cells::range(const Box& box, double margin, double size)
 {
-    constexpr double furthest = 0x1p50;  // beyond it cells are no whole numbers any more: look at everybody
     Range r{};
     r.count = 1;
     for (int k = 0; k < 3; ++k) {
         const double low = std::floor((box.low[k] - margin) / size), high = std::floor((box.high[k] + margin) / size);
-        if (!(std::abs(low) < furthest && std::abs(high) < furthest)) {
+        if (!(std::abs(low) < most_cell_number && std::abs(high) < most_cell_number)) {
             r.count = std::numeric_limits<double>::infinity();
             return r;
         }

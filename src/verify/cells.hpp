@@ -4,6 +4,8 @@
 /// other.
 #pragma once
 
+#include "verify/tolerances.hpp"
+
 #include <carom/types.hpp>
 
 #include <algorithm>
@@ -54,8 +56,6 @@ private:
         std::int64_t low[3], high[3];
         double count = 0;  ///< of cells
     };
-
-    static constexpr double most_cells = 27;
 
     static Range range(const Box& box, double margin, double size);
     struct Place {

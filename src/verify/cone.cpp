@@ -1,17 +1,13 @@
 #include "verify/cone.hpp"
 
+#include "verify/tolerances.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 
 namespace carom::verification {
 
 namespace {
-
-constexpr std::size_t most = 48;
-/// Normals are known to this: of jammed bodies, multiples may be large,
-constexpr double known = 16 * 0x1p-53;
-/// but not so large that any direction is as good as another.
-constexpr double largest = 1e9;
 
 /// What is left of v after the best multiple >= 0 of n.
 Vec3 beside(const Vec3& n, const Vec3& v)
@@ -26,7 +22,8 @@ bool in_two(const Vec3& n, const Vec3& m, const Vec3& v, double slack)
     const double det = across.squaredNorm();
     if (!(det > 0)) return false;
     const double x = v.cross(m).dot(across) / det, y = n.cross(v).dot(across) / det;
-    return x >= 0 && y >= 0 && x + y <= largest * v.norm() && (v - x * n - y * m).norm() <= slack + known * (x + y);
+    return x >= 0 && y >= 0 && x + y <= largest_multiple * v.norm() &&
+           (v - x * n - y * m).norm() <= slack + normal_rounding * (x + y);
 }
 
 bool in_three(const Vec3& n, const Vec3& m, const Vec3& l, const Vec3& v, double slack)
@@ -34,8 +31,8 @@ bool in_three(const Vec3& n, const Vec3& m, const Vec3& l, const Vec3& v, double
     const double det = n.dot(m.cross(l));
     if (det == 0) return false;
     const double x = v.dot(m.cross(l)) / det, y = n.dot(v.cross(l)) / det, z = n.dot(m.cross(v)) / det;
-    return x >= 0 && y >= 0 && z >= 0 && x + y + z <= largest * v.norm() &&
-           (v - x * n - y * m - z * l).norm() <= slack + known * (x + y + z);
+    return x >= 0 && y >= 0 && z >= 0 && x + y + z <= largest_multiple * v.norm() &&
+           (v - x * n - y * m - z * l).norm() <= slack + normal_rounding * (x + y + z);
 }
 
 }  // namespace
@@ -44,7 +41,7 @@ bool is_in_cone(std::vector<Vec3> normals, const Vec3& v, double slack)
 {
     if (v.norm() <= slack) return true;
     std::sort(normals.begin(), normals.end(), [&](const Vec3& n, const Vec3& m) { return n.dot(v) > m.dot(v); });
-    const std::size_t count = std::min(normals.size(), most);
+    const std::size_t count = std::min(normals.size(), most_normals);
     for (std::size_t i = 0; i < count; ++i)
         if (beside(normals[i], v).norm() <= slack) return true;
     for (std::size_t i = 0; i < count; ++i)

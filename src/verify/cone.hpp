@@ -9,7 +9,7 @@
 namespace carom::verification {
 
 /// Is the vector a sum of the normals with coefficients >= 0, but for `slack`? By Caratheodory three of them are
-/// enough: all sets of up to three are tried, of the 48 that point most along the vector.
+/// enough: all sets of up to three are tried, of those that point most along the vector.
 bool is_in_cone(std::vector<Vec3> normals, const Vec3& vector, double slack);
 
 }  // namespace carom::verification

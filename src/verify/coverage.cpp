@@ -8,9 +8,6 @@ namespace carom::verification {
 
 namespace {
 
-/// Up to so many spheres all pairs cost less than looking for neighbours.
-constexpr BodyId few = 40;
-
 std::vector<double> radii_of(const RunData& data)
 {
     std::vector<double> radii;
@@ -27,7 +24,7 @@ Coverage::Coverage(const RunData& data, const Flights& flights, Findings& findin
       findings_(findings),
       patience_(patience),
       gaps_(data, flights, findings),
-      all_pairs_(all_pairs || data.spheres() <= few)
+      all_pairs_(all_pairs || data.spheres() <= all_pairs_up_to)
 {
     if (!all_pairs_) cells_.emplace(radii_of(data));
     const std::int64_t n = data.spheres();
@@ -105,12 +102,12 @@ void Coverage::check_support(BodyId body, const EpochTime& now, Edge edge)
     if (!is_held_by_several(path)) return;
     const Vec3 acceleration = data_.acceleration(path), push = acceleration - data_.gravity;
     const double pull = data_.gravity.norm();
-    double enough = 1e-8 * pull;
+    double enough = no_push * pull;
     if (push.norm() <= enough) return;
     std::vector<Vec3> normals;
     const auto add = [&](const Vec3& r, double sum, double gap, double size) {
         const double distance = r.norm();
-        if (distance - sum > gap + 64 * u * size) return false;
+        if (distance - sum > gap + touch_rounding * size) return false;
         normals.push_back(r / distance);
         return true;
     };
@@ -166,8 +163,7 @@ void Coverage::open(BodyId body, const EpochTime& now)
     quick_[static_cast<std::size_t>(body)] = quick_look_at(path, data_.acceleration(path), reference_);
     if (all_pairs_) {
         // What is straight on from an old reference loses precision.
-        constexpr std::size_t often = 8;
-        if (++opened_ > often * quick_.size()) set_reference(now);
+        if (++opened_ > flights_a_reference * quick_.size()) set_reference(now);
         return;
     }
     double radius = 0;
@@ -185,8 +181,8 @@ Box Coverage::box(BodyId body, const EpochTime& from, const EpochTime& to, doubl
     const Moving<double> end = moving<double>(ball.path, ball.acceleration, origin, to);
     const Vec3 a = rounded(begin.place), b = rounded(end.place);
     const double t = between<double>(from, to);
-    const Vec3 beyond =
-        (0.126 * t * t) * ball.acceleration.cwiseAbs() + rounding<double> * (begin.place_size + end.place_size);
+    const Vec3 beyond = (arc_over_chord * t * t) * ball.acceleration.cwiseAbs() +
+                        rounding<double> * (begin.place_size + end.place_size);
     return {a.cwiseMin(b) - beyond, a.cwiseMax(b) + beyond};
 }
 

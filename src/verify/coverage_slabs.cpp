@@ -7,12 +7,6 @@
 
 namespace carom::verification {
 
-namespace {
-
-constexpr double shortest = 0x1p-40, longest = 0x1p40;  ///< slabs [epochs]
-
-}  // namespace
-
 EpochTime Coverage::later(const EpochTime& t, double epochs) const
 {
     if (epochs >= 1) return {t.epoch + static_cast<std::int64_t>(epochs), t.offset};
@@ -32,7 +26,7 @@ void Coverage::choose_duration()
     rate /= data_.spheres();
     int exponent = 0;
     std::frexp(rate > 0 ? 0.5 / rate : 1.0, &exponent);
-    slab_ = std::ldexp(1.0, std::clamp(exponent - 1, -40, 40));
+    slab_ = std::ldexp(1.0, std::clamp(exponent - 1, -slab_bits, slab_bits));
 }
 
 void Coverage::set_reference(const EpochTime& at)
@@ -65,8 +59,7 @@ void Coverage::sort_bodies()
 
 void Coverage::begin_slab(const EpochTime& at)
 {
-    constexpr std::int64_t often = 16;
-    if (slabs_++ % often == 0) sort_bodies();
+    if (slabs_++ % slabs_a_sorting == 0) sort_bodies();
     slab_begin_ = at;
     slab_end_ = later(at, slab_);
     reference_ = at;
@@ -97,13 +90,11 @@ void Coverage::advance(const EpochTime& now)
         adapt();
         begin_slab(slab_end_);
     }
-    // In cells a sphere: so many new ones, and a slab has been long enough.
-    constexpr double most_new = 2;
     const double fresh = static_cast<double>(cells_->entries()) - static_cast<double>(entries_at_begin_);
-    if (fresh > most_new * data_.spheres() && slab_begin_ < now) {
+    if (fresh > most_new_entries * data_.spheres() && slab_begin_ < now) {
         end_slab(now);
         if (patience_.ended()) return;
-        slab_ = std::max(slab_ / 2, shortest);
+        slab_ = std::max(slab_ / 2, shortest_slab);
         begin_slab(now);
     }
 }
@@ -111,14 +102,11 @@ void Coverage::advance(const EpochTime& now)
 /// The next slab is longer if spheres swept few cells in the last one, shorter if many.
 void Coverage::adapt()
 {
-    constexpr double few_cells = 1.5, many_cells = 3;
-    // Absurd speeds must not make it endless: there comes a point where slabs only grow.
-    constexpr std::int64_t most_slabs = 20'000;
     const double cells = static_cast<double>(entries_at_begin_) / data_.spheres();
-    if (cells < few_cells || slabs_ > most_slabs + findings_.out.flights)
-        slab_ = std::min(2 * slab_, longest);
-    else if (cells > many_cells)
-        slab_ = std::max(slab_ / 2, shortest);
+    if (cells < few_cells_swept || slabs_ > most_slabs + findings_.out.flights)
+        slab_ = std::min(2 * slab_, longest_slab);
+    else if (cells > many_cells_swept)
+        slab_ = std::max(slab_ / 2, shortest_slab);
 }
 
 }  // namespace carom::verification

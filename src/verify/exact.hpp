@@ -5,6 +5,7 @@
 #pragma once
 
 #include "math/error_free.hpp"
+#include "verify/tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,7 +59,8 @@ public:
         for (std::size_t i = 0; i < a.count_; ++i)
             for (std::size_t j = 0; j < b.count_; ++j) {
                 const Sum p = two_product(a.parts_[i], b.parts_[j]);
-                if (!(std::abs(p.high) > smallest && std::abs(p.high) < largest)) product.sound_ = false;
+                if (!(std::abs(p.high) > smallest_exact_product && std::abs(p.high) < largest_exact_product))
+                    product.sound_ = false;
                 product.grow(p.low);
                 product.grow(p.high);
             }
@@ -66,8 +68,6 @@ public:
     }
 
 private:
-    static constexpr double smallest = 0x1p-900, largest = 0x1p900;
-
     /// Parts never overlap and grow in size (grow-expansion with zeros left out).
     void grow(double value)
     {
@@ -80,15 +80,14 @@ private:
         }
         count_ = kept;
         if (carry == 0) return;
-        if (count_ == most) {
+        if (count_ == most_exact_parts) {
             sound_ = false;
             return;
         }
         parts_[count_++] = carry;
     }
 
-    static constexpr std::size_t most = 100;  ///< parts: 53 bits each of the 4200 that a double's range spans, and more
-    std::array<double, most> parts_;
+    std::array<double, most_exact_parts> parts_;
     std::size_t count_ = 0;
     bool sound_ = true;
 };

@@ -4,13 +4,12 @@ namespace carom::verification {
 
 namespace {
 
-constexpr std::int64_t furthest = std::int64_t{1} << 52;  ///< cells and epochs beyond it are not exact as doubles
+constexpr auto furthest = static_cast<std::int64_t>(most_recorded);
 
 bool is_finite(const FlightRecord& f)
 {
     for (std::size_t k = 0; k < 3; ++k) {
-        constexpr double large = 0x1p52;
-        if (!(std::abs(f.local[k]) < large) || !(std::abs(f.local_low[k]) < large)) return false;
+        if (!(std::abs(f.local[k]) < most_recorded) || !(std::abs(f.local_low[k]) < most_recorded)) return false;
         if (!std::isfinite(f.velocity[k]) || !std::isfinite(f.velocity_low[k]) || !std::isfinite(f.own[k]))
             return false;
         if (f.cell[k] <= -furthest || f.cell[k] >= furthest) return false;
@@ -40,9 +39,11 @@ bool series_fits(const RunData& data, BodyId body, const Path& path, const Serie
     const double w = normal.dot(path.velocity);
     const Vec3 along = path.velocity - w / normal.squaredNorm() * normal;
     return s.normal_speed > 0 && s.gravity > 0 && s.restitution == law.restitution && s.restitution > 0 &&
-           s.restitution < 1 && s.tangential == law.tangential && std::abs(s.normal_speed - w) <= 16 * u * speed &&
-           std::abs(s.gravity + normal.dot(data.gravity)) <= 16 * u * pull &&
-           (s.velocity - along).cwiseAbs().maxCoeff() <= 16 * u * speed && data.is_along(s.acceleration, path.support);
+           s.restitution < 1 && s.tangential == law.tangential &&
+           std::abs(s.normal_speed - w) <= split_rounding * speed &&
+           std::abs(s.gravity + normal.dot(data.gravity)) <= split_rounding * pull &&
+           (s.velocity - along).cwiseAbs().maxCoeff() <= split_rounding * speed &&
+           data.is_along(s.acceleration, path.support);
 }
 
 /// What the mode demands of acceleration, support and speed; nullptr if all is well.
@@ -124,12 +125,12 @@ std::optional<Vec3> check_first(const RunData& data, Findings& findings, BodyId 
             DoubleDouble(static_cast<double>(path.cell[k])) + joined<DoubleDouble>(path.local[k], path.local_low[k]);
         const double scene = start.position[k] / data.units.length;
         // What lies on the negative side of 0 may be rounded to its cell.
-        if (std::abs((x - DoubleDouble(scene)).high) > (scene < 0 ? 2 * u : 0)) {
+        if (std::abs((x - DoubleDouble(scene)).high) > (scene < 0 ? negative_place_rounding : 0)) {
             findings.violation("sphere " + std::to_string(body) + " does not start where the scene says", {}, body);
             return {};
         }
         const double v = data.units.speed(data.sphere(body).fixed ? 0 : start.velocity[k]);
-        double turn = path.support < 0 ? 0 : 16 * u * size * std::abs(data.wall(path.support).normal[k]);
+        double turn = path.support < 0 ? 0 : split_rounding * size * std::abs(data.wall(path.support).normal[k]);
         if (path.support == several_supports) turn = 4 * (still * data.closing_speed + hidden * size);
         off[k] = path.velocity[k] - v;
         if (path.velocity_low[k] != 0) off[k] = std::numeric_limits<double>::infinity();

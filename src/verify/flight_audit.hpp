@@ -17,9 +17,6 @@ struct Accepted {
 };
 std::optional<Accepted> accept(const RunData& data, Findings& findings, const FlightRecord& flight);
 
-/// Speeds below `still` v_c, or `hidden` in others, may be taken from bodies that contacts hold together.
-inline constexpr double still = 1e-6, hidden = 1e-12;
-
 /// The first flight of a body. \returns by how much its velocity is not the scene's, beyond rounding, if only contacts
 /// that open can tell why [cells/epoch]
 std::optional<Vec3> check_first(const RunData& data, Findings& findings, BodyId body, const Path& path);

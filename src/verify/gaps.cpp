@@ -6,13 +6,8 @@ namespace carom::verification {
 
 namespace {
 
-/// Of the promise for runs in doubles: 16 eps.
-constexpr double promised = 16 * 2 * u;
-/// Deeper than so many radii what no closed form gives is no error of a step any more.
-constexpr double deepest_guarded = 0.5;
-
-/// Gaps::past_
-constexpr std::uint8_t left_by_contacts = 1, left_by_numeric = 2;
+/// What may have left a body in an overlap: Gaps::past_.
+enum LeftBy : std::uint8_t { left_by_nothing, left_by_contacts, left_by_numeric };
 
 std::uint64_t pair_key(BodyId a, BodyId b)
 {
@@ -39,7 +34,7 @@ Gaps::Gaps(const RunData& data, const Flights& flights, Findings& findings)
 {
     grades_.assign(data.run.spheres.size(), 0);
     flown_before_.assign(data.run.spheres.size(), 0);
-    past_.assign(data.run.spheres.size(), 0);
+    past_.assign(data.run.spheres.size(), left_by_nothing);
 }
 
 void Gaps::worsen(BodyId body, Grade grade)
@@ -91,10 +86,10 @@ void Gaps::judge(GapFound& found, BodyId a, BodyId b, double radius, const Again
         return judge_numeric(found, pa.guarded || pb.guarded, radius);
     const std::uint8_t past = std::max(past_[static_cast<std::size_t>(a)], past_[static_cast<std::size_t>(b)]);
     const bool held = is_held_by_several(pa) || is_held_by_several(pb);
-    if (!held && past == 0) return;
+    if (!held && past == left_by_nothing) return;
     const GapFound loose = again(contact_slack * radius);
     // What is released is as deep as it was held, and goes no deeper.
-    const bool deepens = found.gap < gap_at_start() - 64 * u * radius;
+    const bool deepens = found.gap < gap_at_start() - deepening * radius;
     if (loose.grade <= Grade::bounded && (held || !deepens))
         found.grade = Grade::in_contact;
     else if (past == left_by_numeric && (held || !deepens))
@@ -188,12 +183,12 @@ void Gaps::count(BodyId body, const EpochTime& now)
 {
     const Path path = flights_.path(body);
     const double epochs = between<double>(path.start, now), seconds = epochs * data_.units.time;
-    flown_before_[static_cast<std::size_t>(body)] =
-        static_cast<float>(epochs * (path.velocity.norm() + epochs * data_.acceleration(path).norm()) * 1.0001);
+    flown_before_[static_cast<std::size_t>(body)] = static_cast<float>(
+        epochs * (path.velocity.norm() + epochs * data_.acceleration(path).norm()) * float_rounded_up);
     std::uint8_t& past = past_[static_cast<std::size_t>(body)];
     if (path.mode == Mode::numeric)
         past = left_by_numeric;
-    else if (past == 0 && is_held(path))
+    else if (past == left_by_nothing && is_held(path))
         past = left_by_contacts;
     std::uint8_t& kept = grades_[static_cast<std::size_t>(body)];
     const auto grade = static_cast<Grade>(kept);

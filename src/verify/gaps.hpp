@@ -10,15 +10,6 @@
 
 namespace carom::verification {
 
-/// Distance of a persistent contact from closed, relative to the smaller radius, at most (docs/design.md, section 1).
-inline constexpr double contact_slack = 1e-9;
-/// The same of numeric pieces, whose paths are known roughly.
-inline constexpr double deepest_numeric = 1e-2;
-/// The angle by which a numeric partner may have turned the normal of a contact while a body stayed at rest on it: that
-/// body finds out at the end of the step. From rest, g h^2 / 2 in a step of h = sqrt(r/g) / 50, over 2 r; one that has
-/// been on its way turns it by |w| h / (r_a + r_b) more.
-inline constexpr double turned_in_a_step = 1e-4;
-
 class Gaps {
 public:
     Gaps(const RunData& data, const Flights& flights, Findings& findings);

@@ -5,14 +5,13 @@
 
 #include "math/double_double.hpp"
 #include "verify/exact.hpp"
+#include "verify/tolerances.hpp"
 
 #include <carom/types.hpp>
 
 #include <type_traits>
 
 namespace carom::verification {
-
-inline constexpr double u = unit_roundoff;
 
 /// x + y as a number N, without error but for double, which drops y.
 template <class N>
@@ -26,15 +25,13 @@ N joined(double x, double y)
         return N(x, y);
 }
 
-/// Relative error that a place, a speed or a product of two of them may have, beside the sizes of its parts. A place is
-/// cells + local + tau (v + tau a/2): at most ten roundings of one unit each for double (a unit more where the low
-/// parts are dropped), of five units at most for double-double (see math/double_double.hpp).
+/// Relative error that a place, a speed or a product of two of them may have, beside the sizes of its parts.
 template <class N>
 constexpr double rounding = 0;
 template <>
-inline constexpr double rounding<double> = 16 * u;
+inline constexpr double rounding<double> = double_rounding;
 template <>
-inline constexpr double rounding<DoubleDouble> = 96 * u* u;
+inline constexpr double rounding<DoubleDouble> = double_double_rounding;
 
 inline double rounded(double x)
 {

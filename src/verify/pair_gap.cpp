@@ -78,7 +78,8 @@ Least least_of(const Quadratic<N>& start, const Quadratic<N>& end, double durati
     const double size = rounded(k) + rounded(start.a) * contact.size;
     const double error = 2 * rounded(c).cwiseAbs().dot(c_error) + c_error.squaredNorm() + rounding<N> * size +
                          start.a_error * contact.size;
-    const Least vertex = {rounded(numerator) / a, error / a + 4 * u * std::abs(rounded(numerator) / a), false, false};
+    const Least vertex = {rounded(numerator) / a, error / a + vertex_rounding * std::abs(rounded(numerator) / a), false,
+                          false};
     return vertex.value - vertex.error > by_tangent.value - by_tangent.error ? vertex : by_tangent;
 }
 
@@ -91,11 +92,11 @@ Least least(const PairSegment& s)
     const Quadratic<N> at_start = quadratic(start, contact);
     const double b0 = rounded(at_start.b);
     if (b0 >= at_start.b_error) return {rounded(at_start.f), at_start.f_error, true, false};
-    const double duration = between<double>(s.from, s.to) * (1 + 8 * u) + 4 * u;
+    const double duration = between<double>(s.from, s.to) * (1 + duration_rounding) + offsets_rounding;
     if constexpr (std::is_same_v<N, double>) {
         // F stays above its tangent: most pairs are done here.
         const double tangent = at_start.f - at_start.f_error + 2 * (b0 - at_start.b_error) * duration;
-        if (tangent > 0) return {tangent * (1 - 8 * u), 0, false, false};
+        if (tangent > 0) return {tangent * (1 - tangent_rounding), 0, false, false};
     }
     const Relative<N> end = relative<N>(s.a, s.acceleration_a, s.b, s.acceleration_b, s.to);
     return least_of(at_start, quadratic(end, contact), duration, start, contact);

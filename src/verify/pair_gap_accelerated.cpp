@@ -10,9 +10,6 @@ namespace carom::verification {
 
 namespace {
 
-constexpr int most_intervals = 400;
-constexpr int deepest = 60;
-
 /// F, half its rate, and bounds for what the second derivative is made of, at one time.
 struct Point {
     double t = 0, f = 0, rate = 0, f_error = 0, rate_error = 0;
@@ -58,8 +55,8 @@ public:
         point.rate = rounded(dot(p, w));
         point.rate_error = pa.dot(w_error) + wa.dot(p_error) + p_error.dot(w_error) + rounding<N> * pa.dot(wa);
         point.curvature = ws.squaredNorm() + ps.dot(a_);
-        point.slack = 1e-12 * (ws.squaredNorm() + pa.dot(a));
-        point.change = std::abs(ws.dot(a_)) + 1e-12 * wa.dot(a);
+        point.slack = curvature_slack * (ws.squaredNorm() + pa.dot(a));
+        point.change = std::abs(ws.dot(a_)) + curvature_slack * wa.dot(a);
         return point;
     }
     double acceleration_square() const { return a_.squaredNorm(); }
@@ -79,8 +76,8 @@ struct Below {
 
 Below below(const Point& x, const Point& y, double acceleration_square)
 {
-    const double h = (y.t - x.t) * (1 + 1e-12);
-    const double spread = 1.01 * (3 * x.change * h + 1.5 * acceleration_square * h * h) + x.slack;
+    const double h = (y.t - x.t) * interval_rounded_up;
+    const double spread = change_rounded_up * (3 * x.change * h + 1.5 * acceleration_square * h * h) + x.slack;
     const double least = std::min(x.f, y.f), error = std::max(x.f_error, y.f_error);
     if (x.curvature + spread <= 0) return {least, error, true};  // concave: above its chord
     if (x.curvature - spread >= 0) {                             // convex: above its tangents
@@ -105,7 +102,7 @@ Least least_accelerated(const PairSegment& s, const Contact<N>& contact)
         Point from, to;
         int depth;
     };
-    std::array<Interval, deepest + 2> stack;
+    std::array<Interval, most_interval_halvings + 2> stack;
     std::size_t n = 0;
     stack[n++] = {quartic.at(N(0.0)), quartic.at(between<N>(s.from, s.to)), 0};
     const double end = stack[0].to.t;
@@ -119,7 +116,7 @@ Least least_accelerated(const PairSegment& s, const Contact<N>& contact)
             }
         const Below bound = below(now.from, now.to, quartic.acceleration_square());
         const double middle = now.from.t + 0.5 * (now.to.t - now.from.t);
-        const bool indivisible = now.depth >= deepest || !(middle > now.from.t && middle < now.to.t);
+        const bool indivisible = now.depth >= most_interval_halvings || !(middle > now.from.t && middle < now.to.t);
         // Good enough if clear of contact, or as sharp as the arithmetic.
         if (bound.sharp || bound.value - bound.error > 0 || indivisible) {
             low = std::min(low, bound.value - bound.error);

@@ -69,7 +69,7 @@ Least least(const WallSegment& s)
     if (w0 >= start.w_error) return {h0, e0, true, false};
     if (w1 <= -end.w_error) return {h1, e1, false, false};
     // Convex, or as good as straight, and lowest in between: above its vertex, and above its chord but for the bulge.
-    const double duration = between<double>(s.from, s.to) * (1 + 8 * u) + 4 * u;
+    const double duration = between<double>(s.from, s.to) * (1 + duration_rounding) + offsets_rounding;
     const double bulge = (g + g_error) * duration * duration / 8;
     Least least = ends;
     least.error += bulge;
@@ -77,7 +77,8 @@ Least least(const WallSegment& s)
         const N square = start.w * start.w;
         const double drop = rounded(square) / (2 * g);
         const double vertex = rounded((start.h - zero.h) - square / (pull<N>(s) * N(2.0)));
-        const double error = e0 + std::abs(w0) * start.w_error / g + drop * (4 * g_error / g + 8 * rounding<N>);
+        const double error =
+            e0 + std::abs(w0) * start.w_error / g + drop * (4 * g_error / g + drop_roundings * rounding<N>);
         if (vertex - error > least.value - least.error) least = {vertex, error, false, false};
     }
     return least;
@@ -140,7 +141,7 @@ double largest_distance(const WallSegment& s)
     const double duration = between<double>(s.from, s.to);
     const double g = std::abs(rounded(pull<DoubleDouble>(s)));
     return std::max(std::abs(rounded(start.h)) + start.h_error, std::abs(rounded(end.h)) + end.h_error) +
-           1.01 * g * duration * duration / 8;
+           arc_rounded_up * g * duration * duration / 8;
 }
 
 DoubleDouble height(const WallSegment& s, const EpochTime& at)

@@ -35,28 +35,28 @@ inline Quick quick_look_at(const Path& p, const Vec3& a, const EpochTime& refere
         speed += size;
         place += std::abs(cells) + std::abs(p.local[k]) + span * size;
     }
-    q.place_size = static_cast<float>(place * 1.0001);
-    q.speed_size = static_cast<float>(speed * 1.0001);
+    q.place_size = static_cast<float>(place * float_rounded_up);
+    q.speed_size = static_cast<float>(speed * float_rounded_up);
     return q;
 }
 
-/// Is |r|^2 - S^2 > `needed` from t0 to t1, certainly? \pre the accelerations are one, and no series. Errors: as those
-/// of `moving` (16 u of the sizes), and a unit or two for what is done here.
+/// Is |r|^2 - S^2 > `needed` from t0 to t1, certainly? \pre the accelerations are one, and no series.
 inline bool is_far(const Quick& a, const Quick& b, double t0, double t1, double contact, double needed)
 {
     const Vec3 w = a.w - b.w, r = (a.y - b.y) + t0 * w;
-    const double duration = (t1 - t0) * (1 + 8 * u) + 8 * u * (t1 + 1);
+    const double duration = (t1 - t0) * (1 + duration_rounding) + reference_rounding * (t1 + 1);
     const double rr = r.squaredNorm(), rw = r.dot(w), ww = w.squaredNorm();
     const double f = rr - contact * contact;
     const double t = std::clamp(-rw, 0.0, ww * duration);  // times ww
     const double least = ww > 0 ? f + (2 * rw + t) * (t / ww) : f;
-    const double w_error = 20 * u * (static_cast<double>(a.speed_size) + static_cast<double>(b.speed_size));
+    const double w_error = quick_rounding * (static_cast<double>(a.speed_size) + static_cast<double>(b.speed_size));
     const double r_error =
-        20 * u * (static_cast<double>(a.place_size) + static_cast<double>(b.place_size)) + (t1 + 1) * w_error;
+        quick_rounding * (static_cast<double>(a.place_size) + static_cast<double>(b.place_size)) + (t1 + 1) * w_error;
     // Anywhere on the way the parts differ from what they should be by no more than this, in each of 3 directions.
     const double shift = r_error + duration * w_error;
     const double size = std::sqrt(rr) + duration * std::sqrt(ww);
-    const double error = 4 * shift * size + 3 * shift * shift + 32 * u * (size * size + contact * contact);
+    const double error =
+        4 * shift * size + 3 * shift * shift + quick_square_rounding * (size * size + contact * contact);
     return least - error > needed;
 }
 
@@ -68,7 +68,8 @@ inline bool is_far(const Quick& q, const Vec3& a, const Vec3& n, double offset, 
     const double duration = t1 - t0, span = t1 + std::abs(t0) + 1;
     const double size = static_cast<double>(q.place_size) +
                         span * (static_cast<double>(q.speed_size) + span * std::abs(g)) + std::abs(offset) + radius;
-    return std::min(h0, h1) - std::max(0.0, g) * duration * duration * 0.13 - 64 * u * size > needed;
+    return std::min(h0, h1) - std::max(0.0, g) * duration * duration * quick_arc - quick_height_rounding * size >
+           needed;
 }
 
 }  // namespace carom::verification

@@ -26,7 +26,7 @@ bool RunData::is_along(const Vec3& a, int plane) const
     const Vec3& n = wall(plane).normal;
     const Vec3 along = gravity - gravity.dot(n) / n.squaredNorm() * n;
     const double size = gravity.cwiseAbs().maxCoeff();
-    return (a - along).cwiseAbs().maxCoeff() <= 16 * u * size;
+    return (a - along).cwiseAbs().maxCoeff() <= split_rounding * size;
 }
 
 /// Laws of materials (docs/impacts.md, section 1): the smaller value of two materials holds; `tangential` acts at

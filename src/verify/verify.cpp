@@ -89,9 +89,8 @@ private:
     {
         // The flights of the start come in large parts.
         if (!covering_) return patience_.lasts(static_cast<double>(flights_.size()));
-        constexpr std::size_t instant = 64;  // of the patience's units; a large one asks on its way
         patience_.reach(data_.units.seconds(now_));
-        return patience_.lasts_for(instant);
+        return patience_.lasts_for(instant_work);
     }
 
     /// False: what follows cannot be understood any more.
@@ -185,8 +184,7 @@ private:
     /// numeric pieces, the first of bodies that those of the second join. (The guard takes over in the same breath.)
     static std::size_t until_repeated(std::span<const FlightRecord> flights)
     {
-        constexpr std::size_t few = 8;
-        if (flights.size() <= few) {
+        if (flights.size() <= few_flights) {
             for (std::size_t i = 1; i < flights.size(); ++i)
                 for (std::size_t k = 0; k < i; ++k)
                     if (flights[k].body == flights[i].body && !flights[i].guarded) return i;
@@ -240,7 +238,7 @@ private:
     EpochTime moment_of(double seconds) const
     {
         const double epochs = seconds / data_.units.time, whole = std::floor(epochs);
-        return {static_cast<std::int64_t>(std::min(whole, 0x1p52)), epochs - whole};
+        return {static_cast<std::int64_t>(std::min(whole, most_recorded)), epochs - whole};
     }
 
     FlightSource& source_;

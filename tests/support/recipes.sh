@@ -99,30 +99,19 @@ impact_operator() {
     swap include/carom/response.hpp '    jacobi ' '    jacobi,'
     edit include/carom/response.hpp 'the pair law of all contacts at once' '    dummy  ///< inelastic, whatever the materials say' after
     add_name include/carom/response.hpp impact_operator_names dummy
-    cat >"$tree/src/impact/dummy.hpp" <<'CODE'
-#pragma once
-
+    cat >"$tree/src/impact/dummy.cpp" <<'CODE'
 #include "impact/operators.hpp"
 
 namespace carom {
 
-NormalImpact dummy(const Cluster& cluster);
-
-}  // namespace carom
-CODE
-    cat >"$tree/src/impact/dummy.cpp" <<'CODE'
-#include "impact/dummy.hpp"
-
-namespace carom {
-
-NormalImpact dummy(const Cluster& cluster)
+NormalImpact dummy(const ContactProblem& cluster)
 {
     return inelastic(cluster);
 }
 
 }  // namespace carom
 CODE
-    edit src/impact/resolve_cluster.cpp '#include "impact/jacobi.hpp"' '#include "impact/dummy.hpp"' before
+    edit src/impact/operators.hpp 'NormalImpact jacobi(' 'NormalImpact dummy(const ContactProblem& cluster);' after
     edit src/impact/resolve_cluster.cpp 'case ImpactOperator::jacobi:' \
         '        case ImpactOperator::dummy:
             return dummy(cluster);' before
@@ -228,7 +217,7 @@ build() {
     [ -n "$folders" ] || die "CMakeLists.txt has no CAROM_CORE_FOLDERS"
     local sources units
     mapfile -t sources < <(cd "$tree/src" && for folder in $folders; do ls "$folder"/*.cpp; done &&
-        ls io/scene_*.cpp study/{checks,check_scene,repeat_run,run_study,metrics,penetration}.cpp)
+        ls io/scene_*.cpp study/{checks,check_scene,repeat_run,run_study,metrics,deepest_overlap}.cpp)
     mapfile -t units < <(affected "${sources[@]}")
     echo "${#units[@]} of ${#sources[@]} sources to compile"
     local flags=(-std=c++20 -O0 "${given_flags[@]}" -I"$tree/include" -I"$tree/src" -isystem "$eigen"

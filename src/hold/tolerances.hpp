@@ -1,0 +1,33 @@
+/// \file
+/// The tolerances of contacts that persist: unit, value, reason.
+#pragma once
+
+#include "motion/tolerances.hpp"
+
+namespace carom {
+
+// A sphere on one plane.
+
+/// Height [radius + cell] of a bounce that is rest. A height is the difference of places that round to u of that, and
+/// of the plane's offset, 4 counted. No derivation of the rest of it.
+inline constexpr double rest_height = 16 * unit_roundoff;
+/// Normal speed [|v|] that is none: twice its rounding.
+inline constexpr double no_normal_speed = 2 * normal_speed_rounding;
+
+// Numeric steps.
+
+/// Disagreement [smallest radius] of the middle stages of a step, as a distance, see NumericCluster: a ball that rolls
+/// off another one under gravity has 1e-8 in a whole step. No derivation, and not measured.
+inline constexpr double step_agreement = 3e-7;
+/// Length of a step [mean length of the last ones] in heaps that impacts interrupt: what is found for later times is of
+/// no use. No derivation.
+inline constexpr double step_growth = 4;
+/// Shortest such step [numeric_step]: 1/64. No derivation.
+inline constexpr double shortest_step = 0x1p-6;
+
+/// Steps [1] of Newton's method to a contact within a step: a bound of the loop, for 6 double one digit to 53 bits.
+inline constexpr int most_contact_steps = 8;
+/// Gap [radius] of a contact that is closed there: what a place rounds to.
+inline constexpr double closed_gap = unit_roundoff;
+
+}  // namespace carom
