@@ -216,8 +216,8 @@ build() {
     folders=$(sed -n 's/^set(CAROM_CORE_FOLDERS \(.*\))$/\1/p' "$source/CMakeLists.txt" | sed 's/ verify / /')
     [ -n "$folders" ] || die "CMakeLists.txt has no CAROM_CORE_FOLDERS"
     local sources units
-    mapfile -t sources < <(cd "$tree/src" && for folder in $folders; do ls "$folder"/*.cpp; done &&
-        ls io/scene_*.cpp study/{checks,check_scene,repeat_run,run_study,metrics,deepest_overlap}.cpp)
+    mapfile -t sources < <(cd "$tree/src" && find $folders -name "*.cpp" | sort &&
+        ls io/scene_*.cpp study/{checks,check_scene,repeat_run,run_study,metrics,deepest_overlap,lift_watch}.cpp)
     mapfile -t units < <(affected "${sources[@]}")
     echo "${#units[@]} of ${#sources[@]} sources to compile"
     local flags=(-std=c++20 -O0 "${given_flags[@]}" -I"$tree/include" -I"$tree/src" -isystem "$eigen"
