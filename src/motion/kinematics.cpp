@@ -11,7 +11,9 @@ ContactTime contact_time(const Frame& frame, const EpochTime& from, const Enclos
 {
     if (e.decided == Decision::none) return {};
     if (e.decided == Decision::pressed) return {true, from, true, false};
-    return {true, rough_time(frame, from, e.t_lo.high), true, false};
+    // After a wait of many epochs the rounding of the head is many steps of a time's resolution.
+    const double head = e.t_lo.low < 0 ? std::nextafter(e.t_lo.high, 0.0) : e.t_lo.high;
+    return {true, rough_time(frame, from, head), true, false};
 }
 
 /// Whether two spheres certainly separate: half of all pairs end here.

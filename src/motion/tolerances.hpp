@@ -69,8 +69,8 @@ inline constexpr double flown_to_speed_rounding = 2 * unit_roundoff;
 
 /// Resolution of times [epochs]: the ulp of an offset just below an epoch.
 inline constexpr double time_resolution = unit_roundoff;
-/// Steps of the resolution [1] from a time to one certainly before it: after() rounds by 2. No derivation of the rest;
-/// a wait that is a rounded double-double itself is off by more than that after some epochs.
+/// Steps of the resolution [1] from a time to one certainly before it: after() rounds by 2, and an exact time is
+/// stepped back once or twice where places are rounded into an overlap. No derivation of the rest.
 inline constexpr int rough_steps = 6;
 /// Steps of the resolution [1] back to the latest time that is not too late. No derivation: a bound of the loop, for
 /// shifted() leaves a few.
