@@ -42,10 +42,9 @@ FlightRecord Ledger::record_of(const State& state, BodyId body)
     record.mode = mode_of(motion);
     record.guarded = std::holds_alternative<Windowed>(motion);
     if (state.bodies.is_held_by_several(body)) record.support = several_supports;
-    if (const auto* leaning = std::get_if<Leaning>(&motion)) record.support = leaning->plane;
+    if (const std::optional<int> carrier = carrier_of(motion)) record.support = *carrier;
     if (const auto* bouncing = std::get_if<Bouncing>(&motion)) {
         const Series& s = bouncing->series;
-        record.support = bouncing->plane;
         record.series =
             SeriesRecord{s.normal_speed, s.gravity, s.restitution, s.tangential, s.velocity, s.acceleration};
     }
@@ -81,9 +80,9 @@ void Ledger::record(const State& state, const EpochTime& now, Event event)
 void Ledger::note_motion(const State& state, BodyId body, const Motion& next, const EpochTime& now)
 {
     std::optional<double>& rest = out.rest_times[static_cast<std::size_t>(body)];
-    if (!is_held(next))
+    if (!is_held(kind_of(next)))
         rest.reset();
-    else if (!is_held(state.bodies.motion(body)))
+    else if (!is_held(state.bodies.kind(body)))
         rest = state.frame.seconds(now);
 }
 
@@ -123,13 +122,11 @@ void Ledger::account_for_motion(const State& state, BodyId body, const EpochTime
     if (std::holds_alternative<Stepping>(motion)) out.body_seconds.numeric += time;
     if (std::holds_alternative<Windowed>(motion)) out.body_seconds.guarded += time;
     if (state.bodies.is_held_by_several(body)) account_for_forces(state, body, now);
-    const auto* leaning = std::get_if<Leaning>(&motion);
-    const auto* bouncing = std::get_if<Bouncing>(&motion);
-    if (!leaning && !bouncing) return;
-    const int plane = leaning ? leaning->plane : bouncing->plane;
-    const Vec3 normal = facing_normal(state, plane, f.place);
+    const std::optional<int> carrier = carrier_of(motion);
+    if (!carrier) return;
+    const Vec3 normal = facing_normal(state, *carrier, f.place);
     const double change = normal.dot(advanced(state, body, now).velocity) - normal.dot(f.velocity);
-    out.plane_impulses[static_cast<std::size_t>(plane)] +=
+    out.plane_impulses[static_cast<std::size_t>(*carrier)] +=
         state.sphere(body).mass * (change - time * normal.dot(state.gravity()));
 }
 

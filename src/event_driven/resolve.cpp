@@ -71,7 +71,7 @@ bool resolve(const State& state, const Key& key, const Neighbourhood& neighbourh
         case Scheduled::nothing:
             CAROM_EXPECT(false);
     }
-    out = {};
+    out.clear();
     resolve_component(state, key, neighbourhood, out);
     return false;
 }

@@ -13,7 +13,6 @@
 #include "motion/moment.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -68,7 +67,7 @@ private:
     {
         ledger_.show_frame(state_);
         for (Change& change : initial_contacts(state_)) {
-            outcome_ = {};
+            outcome_.clear();
             outcome_.changes.push_back(std::move(change));
             commit(outcome_);
         }
@@ -100,7 +99,7 @@ private:
                 if (bounces.lose_energy) hit_.push_back(key.a);
                 return watch(key, hit_);
             }
-        clear(outcome_);
+        outcome_.clear();
         const bool alone = resolve(state_, key, neighbourhood_, outcome_);
         if (comes_to_rest(outcome_)) return zeno(key);
         commit(outcome_);
@@ -118,18 +117,6 @@ private:
         return hit_.empty() ? limits() : watch(key, hit_);
     }
 
-    /// Empties an outcome; what it has allocated stays for the next event.
-    static void clear(EventOutcome& outcome)
-    {
-        outcome.changes.clear();
-        outcome.forces.clear();
-        outcome.events.clear();
-        outcome.taken = {};
-        outcome.numeric_steps = 0;
-        outcome.clustered = outcome.capped = false;
-        outcome.penetration = 0;
-    }
-
     /// Whether a body comes to rest, which ends a run under policy none.
     bool comes_to_rest(const EventOutcome& outcome) const
     {
@@ -139,8 +126,9 @@ private:
     }
     std::string names(const Key& key) const
     {
-        return state_.scene.body_name(key.a) + " and " +
-               state_.scene.body_name(key.b.kind == Partner::Kind::none ? key.a : state_.body_of(key.b));
+        const std::string& first = state_.scene.body_name(key.a);
+        if (key.b.kind == Partner::Kind::none) return first;
+        return first + " and " + state_.scene.body_name(state_.body_of(key.b));
     }
     Status zeno(const Key& key) { return stop(Status::zeno, "impacts of " + names(key) + " accumulate: a Zeno point"); }
 
@@ -163,7 +151,8 @@ private:
         return limits();
     }
 
-    /// Carries an outcome into the state and the books: the one place where motions change.
+    /// Carries an outcome into the state and the books: the one place where motions change, but for streaks of
+    /// bounces of a lone sphere.
     void commit(const EventOutcome& outcome)
     {
         hit_.clear();

@@ -114,12 +114,10 @@ private:
         }
         if (!ties_) return;
         for (int p = 0; p < state_.planes(); ++p) take_tie(body, Partner::plane(p));
-        near_.clear();
         const Flight& now = flight(body);
         const double margin = state_.widest_tie(body);
         for (const BodyId other : neighbourhood_(body))
-            if (may_touch(state_, body, now, other, margin)) near_.push_back(other);
-        for (const BodyId other : near_) take_tie(body, Partner::sphere(other));
+            if (may_touch(state_, body, now, other, margin)) take_tie(body, Partner::sphere(other));
     }
 
     void take_tie(BodyId body, Partner other)
@@ -150,7 +148,7 @@ private:
     std::unordered_map<BodyId, Flight> others_;
     std::unordered_set<Pair, PairHash> found_;
     std::map<Pair, Contact> opened_;
-    std::vector<BodyId> frontier_, near_;
+    std::vector<BodyId> frontier_;
 };
 
 /// Every contact that the scene declares, by its first body.

@@ -25,6 +25,18 @@ struct EventOutcome {
     bool clustered = false;  ///< impacts of several contacts were resolved together
     bool capped = false;     ///< see ClusterImpact
     double penetration = 0;  ///< of contacts at this instant, and of the parabolas of numeric pieces, >= 0 [length]
+
+    /// Nothing has happened; what was allocated stays for the next event.
+    void clear()
+    {
+        changes.clear();
+        forces.clear();
+        events.clear();
+        taken = {};
+        numeric_steps = 0;
+        clustered = capped = false;
+        penetration = 0;
+    }
 };
 
 }  // namespace carom

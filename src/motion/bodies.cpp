@@ -15,11 +15,6 @@ void keep_low_part(const Frame& frame, const Vec3& position, Place& place)
     }
 }
 
-bool is_piece(MotionKind kind)
-{
-    return kind == MotionKind::stepping || kind == MotionKind::windowed;
-}
-
 const Vec3& own_acceleration_of(const Motion& motion)
 {
     if (const auto* held = std::get_if<Held>(&motion)) return held->acceleration;

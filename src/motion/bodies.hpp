@@ -39,13 +39,9 @@ public:
     }
     /// Whether some body is in a numeric step or a window of the guard.
     bool some_in_piece() const { return in_piece_ > 0; }
-    bool is_in_piece(BodyId body) const
-    {
-        return kind(body) == MotionKind::stepping || kind(body) == MotionKind::windowed;
-    }
-
+    bool is_in_piece(BodyId body) const { return is_piece(kind(body)); }
     /// Whether spheres or several planes hold the body, or it is in a piece.
-    bool is_held_by_several(BodyId body) const { return kind(body) >= MotionKind::held; }
+    bool is_held_by_several(BodyId body) const { return carom::is_held_by_several(kind(body)); }
 
     const PersistentContacts& contacts() const { return contacts_; }
     const Accelerations& accelerations() const { return accelerations_; }

@@ -61,7 +61,6 @@ public:
     Encounter(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner);
 
     const Vec3& normal() const { return normal_; }  ///< from b to a, unit to rounding
-    double distance() const { return distance_; }   ///< of the centres of two spheres [length]
     Vec3 velocity() const { return b_ ? Vec3(a_.velocity - b_->velocity) : a_.velocity; }  ///< of a relative to b
     /// The sign of d gap/dt.
     int approach_sign() const;

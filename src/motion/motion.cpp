@@ -25,10 +25,11 @@ Mode mode_of(const Motion& motion)
                       motion);
 }
 
-bool is_held(const Motion& motion)
+std::optional<int> carrier_of(const Motion& motion)
 {
-    const MotionKind kind = kind_of(motion);
-    return kind != MotionKind::fixed && kind != MotionKind::flying && kind != MotionKind::bouncing;
+    if (const auto* m = std::get_if<Leaning>(&motion)) return m->plane;
+    if (const auto* m = std::get_if<Bouncing>(&motion)) return m->plane;
+    return {};
 }
 
 EpochTime end_of(const Motion& motion, const Frame& frame, const EpochTime& start)

@@ -7,6 +7,7 @@
 #include "flight/frame.hpp"
 
 #include <memory>
+#include <optional>
 #include <variant>
 
 namespace carom {
@@ -76,10 +77,37 @@ inline MotionKind kind_of(const Motion& motion)
     return static_cast<MotionKind>(motion.index());
 }
 
+/// Whether the motion is no closed form and has an end of its own: a numeric step or a window of the guard.
+constexpr bool is_piece(MotionKind kind)
+{
+    switch (kind) {
+        case MotionKind::stepping:
+        case MotionKind::windowed:
+            return true;
+        case MotionKind::fixed:
+        case MotionKind::flying:
+        case MotionKind::bouncing:
+        case MotionKind::leaning:
+        case MotionKind::held:
+            break;
+    }
+    return false;
+}
+/// Whether the body is in a list of persistent contacts: of spheres, of several planes, or of a piece.
+constexpr bool is_held_by_several(MotionKind kind)
+{
+    return kind == MotionKind::held || is_piece(kind);
+}
+/// Whether a contact holds the body, so that its normal motion is at an end.
+constexpr bool is_held(MotionKind kind)
+{
+    return kind == MotionKind::leaning || is_held_by_several(kind);
+}
+
 /// The word that users see for a motion.
 Mode mode_of(const Motion& motion);
-/// Whether a contact holds the body, so that its normal motion is at an end.
-bool is_held(const Motion& motion);
+/// The one plane that carries a body which leans on it or bounces on it in a series.
+std::optional<int> carrier_of(const Motion& motion);
 /// The time at which a motion ends by itself; `never` if it does not. \param start of the body's flight
 EpochTime end_of(const Motion& motion, const Frame& frame, const EpochTime& start);
 

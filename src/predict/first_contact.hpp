@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// The event with which a body's motion ends by itself. \pre the motion has an end
+/// The event with which a body's motion ends by itself; its time is `never` if it does not.
 inline Key own_end(const State& state, BodyId body)
 {
     const EpochTime time = end_of(state.bodies.motion(body), state.frame, state.flight(body).start);
@@ -23,18 +23,17 @@ void offer_planes(const State& state, BodyId body, Counts& counts, const EpochTi
 {
     const MotionKind kind = state.bodies.kind(body);
     const bool bounces = kind == MotionKind::bouncing;
-    int carrier = state.planes();
+    std::optional<int> carrier;
     if (kind != MotionKind::flying) {
-        if (bounces || state.bodies.is_in_piece(body)) take(own_end(state, body), false);
-        if (const auto* leaning = state.bodies.as<Leaning>(body)) carrier = leaning->plane;
-        if (const auto* bouncing = state.bodies.as<Bouncing>(body)) carrier = bouncing->plane;
+        carrier = carrier_of(state.bodies.motion(body));
+        if (const Key end = own_end(state, body); end.time != never) take(end, false);
     }
     const bool several = state.bodies.is_held_by_several(body);
     const Moving sphere = moving(state, body);
     counts.pair_tests += state.planes();
     for (int p = 0; p < state.planes(); ++p) {
         const Partner plane = Partner::plane(p);
-        if (p == carrier || (several && state.bodies.contacts().between(body, plane))) continue;
+        if (carrier == p || (several && state.bodies.contacts().between(body, plane))) continue;
         const ContactTime contact = Kinematics::plane_time(state, sphere, p, best);
         if (!contact.comes) continue;
         ++counts.root_solves;
