@@ -1,5 +1,5 @@
 /// \file
-/// What is no error, but silence would mislead: options without effect, energy from nowhere.
+/// Notes on what is no error, but silence would mislead: options without effect, energy from nowhere.
 #pragma once
 
 #include "cli/arguments.hpp"
@@ -20,7 +20,7 @@ std::vector<std::string> ignored_options(const GivenOptions& given, const Method
 /// Materials that --set made or changed and no body has.
 std::vector<std::string> unused_materials(const Scene& scene, const std::vector<std::string>& set);
 
-/// Who was lifted out of an overlap, and what that gave.
+/// Notes on the bodies that were lifted out of an overlap, and the energy that gave.
 std::vector<std::string> lift_notes(const Scene& scene, std::span<const Lift> lifts);
 
 }  // namespace carom::cli

@@ -32,7 +32,7 @@ Json folder_data(const std::filesystem::path& folder, Patience& patience)
         throw InputError(
             {folder.string() + ": not a folder that carom compare wrote (it has no " + page_data_file + ")"});
     const std::string text = read_file(file);
-    // What is left out once the patience has ended makes an empty document of the rest, soon.
+    // A parse whose patience has ended leaves the rest out, and soon returns an empty document.
     const auto keep = [&](int, Json::parse_event_t, Json&) { return patience.lasts_for(1); };
     constexpr bool no_exceptions = false;
     Json data = Json::parse(text, keep, no_exceptions);
@@ -52,7 +52,7 @@ void tell_apart(const std::vector<std::string>& folders, std::vector<Json>& comp
     }
 }
 
-/// What `report` read, each as text again.
+/// Comparisons that `report` read, each as text again.
 std::vector<std::string> read_comparisons(const std::vector<std::string>& folders, Session& session)
 {
     Patience patience(session.on_progress());

@@ -22,7 +22,7 @@ namespace carom::cli {
 
 namespace {
 
-/// What `--events` calls stdout.
+/// Name of stdout for `--events`.
 constexpr const char* standard_output = "-";
 
 /// Where the events of a run go: a file, made before the run so that a wrong path fails at once, or stdout.

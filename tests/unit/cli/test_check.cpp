@@ -1,5 +1,6 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
+#include "support/carom_tool.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,9 +12,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 using namespace carom::cli;
+using carom::test::carom_tool;
+using carom::test::Said;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 namespace fs = std::filesystem;
@@ -41,18 +43,6 @@ public:
 private:
     fs::path path_;
 };
-
-struct Said {
-    int code;
-    std::string out, err;
-};
-
-Said carom_tool(const std::vector<std::string>& args)
-{
-    std::ostringstream out, err;
-    const int code = run_cli(args, Console{out, err});
-    return {code, out.str(), err.str()};
-}
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 #include "cli/exit_codes.hpp"
 #include "io/compare_files.hpp"
 #include "io/events_csv.hpp"
+#include "support/carom_tool.hpp"
 
 #include <carom/io.hpp>
 
@@ -15,6 +16,8 @@
 #include <sstream>
 
 using namespace carom::cli;
+using carom::test::carom_tool;
+using carom::test::Said;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 namespace fs = std::filesystem;
@@ -53,18 +56,6 @@ public:
 private:
     fs::path path_;
 };
-
-struct Said {
-    int code;
-    std::string out, err;
-};
-
-Said carom_tool(const std::vector<std::string>& args)
-{
-    std::ostringstream out, err;
-    const int code = run_cli(args, Console{out, err});
-    return {code, out.str(), err.str()};
-}
 
 }  // namespace
 

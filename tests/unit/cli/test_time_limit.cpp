@@ -1,6 +1,7 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/session.hpp"
+#include "support/carom_tool.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -13,23 +14,13 @@
 
 using namespace carom;
 using namespace carom::cli;
+using carom::test::carom_tool;
+using carom::test::Said;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Said {
-    int code;
-    std::string out, err;
-};
-
-Said carom_tool(const std::vector<std::string>& args)
-{
-    std::ostringstream out, err;
-    const int code = run_cli(args, Console{out, err});
-    return {code, out.str(), err.str()};
-}
 
 /// No command is done by then.
 const std::vector<std::string> at_once{"--max-seconds", "1e-9"};
