@@ -79,6 +79,19 @@ inline Scene shaft(std::uint64_t seed, int count, double end_time)
     return scene;
 }
 
+/// Slides down, is hit, bounces in a series, rests: every mode.
+inline Scene every_mode()
+{
+    Scene scene = empty_scene(6, earth, 0.7);
+    scene.materials[0].tangential = 0.9;
+    add_floor(scene);
+    add_sphere(scene, 0.1, {0, 0, 1.1}, {0.3, 0, 0});
+    add_sphere(scene, 0.2, {3, 0, 0.2}, {-0.5, 0, 0}, 2);
+    add_sphere(scene, 0.3, {-4, 0, 0.3});
+    scene.spheres.back().fixed = true;
+    return scene;
+}
+
 /// `count` spheres at random in [0, side]^3, clear of each other and of the walls; masses as volumes.
 inline void fill_box(Scene& scene, Random& random, int count, double side, double r_min, double r_max, double speed)
 {
