@@ -15,7 +15,7 @@
 
 namespace carom::verification {
 
-/// What a centre sweeps [cells of the run].
+/// Box that a centre sweeps [cells of the run].
 struct Box {
     Vec3 low, high;
 };

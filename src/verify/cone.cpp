@@ -9,7 +9,7 @@ namespace carom::verification {
 
 namespace {
 
-/// What is left of v after the best multiple >= 0 of n.
+/// Rest of v after the best multiple >= 0 of n.
 Vec3 beside(const Vec3& n, const Vec3& v)
 {
     return v - std::max(0.0, n.dot(v)) / n.squaredNorm() * n;

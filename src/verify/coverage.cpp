@@ -162,7 +162,7 @@ void Coverage::open(BodyId body, const EpochTime& now)
     const Path path = flights_.path(body);
     quick_[static_cast<std::size_t>(body)] = quick_look_at(path, data_.acceleration(path), reference_);
     if (all_pairs_) {
-        // What is straight on from an old reference loses precision.
+        // A straight path loses precision with the distance from its reference.
         if (++opened_ > flights_a_reference * quick_.size()) set_reference(now);
         return;
     }
@@ -171,7 +171,7 @@ void Coverage::open(BodyId body, const EpochTime& now)
     cells_->enter(body, swept_box, radius);
 }
 
-/// What the centre sweeps: between its ends, and as far beyond as an arc leaves its chord.
+/// Box that the centre sweeps: between its ends, and as far beyond as an arc leaves its chord.
 Box Coverage::box(BodyId body, const EpochTime& from, const EpochTime& to, double& radius) const
 {
     static constexpr std::int64_t origin[3] = {0, 0, 0};

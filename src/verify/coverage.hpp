@@ -36,8 +36,8 @@ public:
     enum class Edge { begins, ends };
     void check_support(BodyId body, const EpochTime& now, Edge edge);
     bool was_numeric(BodyId body) const { return gaps_.was_numeric(body); }
-    /// Of all contacts that are closed now, or open by no more than a gap [cells], towards the body, whose series is
-    /// over; of others on their present flights.
+    /// Normals, towards the body, of all contacts that are closed now or open by no more than a gap [cells], if its
+    /// series is over; of others on their present flights.
     std::vector<Vec3> closed_normals(BodyId body, const EpochTime& now, double gap = 0);
 
 private:
@@ -49,7 +49,7 @@ private:
     void visit(BodyId body, const EpochTime& from, const EpochTime& to, const Visit& visit);
     void note_step(BodyId body, const EpochTime& now);
     void set_reference(const EpochTime& at);
-    /// What a squared distance must exceed to be of no interest: neither an overlap nor the smallest gap.
+    /// Squared distance beyond which a pair is of no interest: neither an overlap nor the smallest gap.
     double interesting(double contact) const
     {
         return std::max(0.0, gaps_.smallest() * (gaps_.smallest() + 2 * contact));

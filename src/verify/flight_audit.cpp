@@ -46,7 +46,7 @@ bool series_fits(const RunData& data, BodyId body, const Path& path, const Serie
            data.is_along(s.acceleration, path.support);
 }
 
-/// What the mode demands of acceleration, support and speed; nullptr if all is well.
+/// Demand of the mode on acceleration, support and speed that is not met; nullptr if all is well.
 const char* wrong_with(const RunData& data, BodyId body, const Path& path, const std::optional<SeriesRecord>& series)
 {
     const Vec3 a = data.acceleration(path);
@@ -124,7 +124,7 @@ std::optional<Vec3> check_first(const RunData& data, Findings& findings, BodyId 
         const DoubleDouble x =
             DoubleDouble(static_cast<double>(path.cell[k])) + joined<DoubleDouble>(path.local[k], path.local_low[k]);
         const double scene = start.position[k] / data.units.length;
-        // What lies on the negative side of 0 may be rounded to its cell.
+        // A place on the negative side of 0 may be rounded to its cell.
         if (std::abs((x - DoubleDouble(scene)).high) > (scene < 0 ? negative_place_rounding : 0)) {
             findings.violation("sphere " + std::to_string(body) + " does not start where the scene says", {}, body);
             return {};

@@ -6,7 +6,7 @@ namespace carom::verification {
 
 namespace {
 
-/// What may have left a body in an overlap: Gaps::past_.
+/// Causes that may have left a body in an overlap: Gaps::past_.
 enum LeftBy : std::uint8_t { left_by_nothing, left_by_contacts, left_by_numeric };
 
 std::uint64_t pair_key(BodyId a, BodyId b)
@@ -88,7 +88,7 @@ void Gaps::judge(GapFound& found, BodyId a, BodyId b, double radius, const Again
     const bool held = is_held_by_several(pa) || is_held_by_several(pb);
     if (!held && past == left_by_nothing) return;
     const GapFound loose = again(contact_slack * radius);
-    // What is released is as deep as it was held, and goes no deeper.
+    // A released contact is as deep as it was held, and goes no deeper.
     const bool deepens = found.gap < gap_at_start() - deepening * radius;
     if (loose.grade <= Grade::bounded && (held || !deepens))
         found.grade = Grade::in_contact;

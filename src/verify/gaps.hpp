@@ -22,7 +22,7 @@ public:
     /// The flight ends at `now`: its time is counted.
     void count(BodyId body, const EpochTime& now);
 
-    /// What overlaps at the start may go on to do so.
+    /// Overlaps of the start may go on.
     void note_overlap(BodyId a, BodyId b);
     void note_overlap_with_plane(BodyId body, int p);
 
@@ -35,7 +35,7 @@ public:
 private:
     double flown(BodyId body, const Ball& ball, const EpochTime& to) const;
     void support(BodyId body, const Path& path, int p, const EpochTime& to);
-    /// What a gap below the promise means for those two. \param again examines with another bound
+    /// Meaning of a gap below the promise for those two. \param again examines with another bound
     /// \param gap_at_start how far they were apart then [cells]
     template <class Again, class Start>
     void judge(GapFound& found, BodyId a, BodyId b, double radius, const Again& again, const Start& gap_at_start);

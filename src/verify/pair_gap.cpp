@@ -6,7 +6,7 @@ namespace carom::verification {
 
 namespace {
 
-/// Of F = |r|^2 - S^2, half its rate B = r.v, and A = v.v: values and error bounds.
+/// Values and error bounds of F = |r|^2 - S^2, half its rate B = r.v, and A = v.v.
 template <class N>
 struct Quadratic {
     N f, b, a;

@@ -6,7 +6,7 @@
 
 namespace carom::verification {
 
-/// What is known of a flight, the best first.
+/// Knowledge of a flight, the best first.
 enum class Grade : std::uint8_t {
     exact,          ///< gap >= min(0, initial gap)
     bounded,        ///< gap >= -b
@@ -22,7 +22,7 @@ struct PairSegment {
     const Vec3 &acceleration_a, &acceleration_b;  ///< [cells/epoch^2]
     EpochTime from, to;
     double radius_a, radius_b;  ///< [cells]
-    /// Of a pair that overlapped at the start: its flights then. The initial distance takes the place of the sum of
+    /// Flights at the start of a pair that overlapped then. The initial distance takes the place of the sum of
     /// radii.
     const Path *initial_a = nullptr, *initial_b = nullptr;
 };

@@ -23,7 +23,7 @@ struct WallSegment {
     double side;  ///< 1, or -1 behind a plate
     EpochTime from, to;
     double radius;  ///< [cells]
-    /// Of a sphere that overlapped at the start: its flight then.
+    /// Flight at the start of a sphere that overlapped then.
     const Path* initial = nullptr;
 };
 

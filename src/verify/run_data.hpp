@@ -1,5 +1,5 @@
 /// \file
-/// What the verifier knows of a run beside its flights: the scene in its own units, and the contact laws, looked up by
+/// Facts of a run beside its flights: the scene in its own units, and the contact laws, looked up by
 /// code of its own.
 #pragma once
 

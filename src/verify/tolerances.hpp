@@ -160,7 +160,7 @@ inline constexpr double many_cells_swept = 3;
 /// derivation.
 inline constexpr std::int64_t most_slabs = 20'000;
 
-// What is read (flight_audit.cpp, verify.cpp).
+// Numbers as read (flight_audit.cpp, verify.cpp).
 
 /// Place or time [cells, epochs] of a record: whole numbers below it, and their sums, are exact as doubles.
 inline constexpr double most_recorded = 0x1p52;
