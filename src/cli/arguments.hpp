@@ -1,5 +1,5 @@
 /// \file
-/// What the command line says, as data. Nothing here reads a file or runs anything.
+/// Words of the command line, as data. Nothing here reads a file or runs anything.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ private:
     Status why_;
 };
 
-/// What the user typed cannot be understood: exit 2.
+/// Usage error, words that cannot be understood: exit 2.
 class UsageError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

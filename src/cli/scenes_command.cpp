@@ -58,7 +58,7 @@ void show(const std::string& what, const GlobalArguments& global, const Console&
     console.out << aligned(lines, 2);
 }
 
-/// What is wrong with each scene. Those of the whole catalogue include the files that its list leaves out.
+/// Problems of each scene. Those of the whole catalogue include the files that its list leaves out.
 int validate(const std::vector<std::string>& wanted, const GlobalArguments& global, const Console& console)
 {
     std::vector<std::filesystem::path> files;

@@ -15,7 +15,7 @@
 
 namespace carom::cli {
 
-/// What a command begins with, before it reads anything.
+/// Begin of a command, before it reads anything.
 class Session {
 public:
     /// \param given with --max-seconds, if it was typed. \throws UsageError if that is no number > 0

@@ -34,7 +34,7 @@ void add_rest_times(const Scene& scene, const Outcome& outcome, Lines& lines)
     if (listed > most_listed_bodies) lines.push_back({"", fmt::format("and {} more", listed - most_listed_bodies)});
 }
 
-/// What is no closed form, and the energy that thresholds took; nothing where there is none of it.
+/// Shares of motion without closed form, and the energy that thresholds took; no line where there is none of it.
 void add_thresholds(const Outcome& outcome, Lines& lines)
 {
     const BodyTimes& times = outcome.body_seconds;

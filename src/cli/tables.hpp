@@ -16,7 +16,7 @@ namespace carom::cli {
 /// Rows of cells as aligned columns; the first row is the head, the first `left` columns are words.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left);
 
-// What tables share.
+// Parts that tables share.
 std::string figure(const std::optional<double>& value);        ///< three digits; "-" for none
 std::string counted(std::size_t n, const char* what);          ///< "3 spheres"
 std::string bodies(const Scene& scene);                        ///< "3 spheres, 1 plane"
@@ -33,7 +33,7 @@ std::string run_table(const Scene& scene, const RunStudy& run, const io::Command
 /// The checks of a scene, one a line.
 std::string check_table(const Scene& scene, const std::string& name, const CheckReport& report);
 
-/// What the columns of `compare_table` mean, for the table and for the help.
+/// Meanings of the columns of `compare_table`, for the table and for the help.
 extern const char* const compare_legend;
 
 /// A comparison, one row a line, then what its columns mean, and the verdict.

@@ -1,5 +1,5 @@
 /// \file
-/// What was typed wrongly, in words. Only for files that include CLI11 anyway.
+/// Usage errors in words. Only for files that include CLI11 anyway.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 /// \file
-/// What the files of a command say of the command as a whole.
+/// Facts of a command as a whole, for its files.
 #pragma once
 
 #include <carom/simulate.hpp>

@@ -28,7 +28,7 @@ struct Json {
 std::string join(const std::string& parent, std::string_view key);
 std::string join(const std::string& parent, std::size_t index);
 
-/// What a value is, for messages: `the string "abc"`, `the number 3`, `a list of 2`, ...
+/// Kind of a value, for messages: `the string "abc"`, `the number 3`, `a list of 2`, ...
 std::string describe(const Json& value);
 
 /// \param file for messages only.

@@ -107,14 +107,14 @@ private:
         return add(std::move(done));
     }
 
-    /// Of the container that is being read.
+    /// Pointer to the container that is being read.
     std::string pointer() const
     {
         std::string path;
         for (std::size_t level = 0; level + 1 < open_.size(); ++level) path = step(path, open_[level].json);
         return path;
     }
-    /// Of the value that comes next.
+    /// Pointer to the value that comes next.
     std::string next_pointer() const { return open_.empty() ? "/" : step(pointer(), open_.back().json); }
     static std::string step(const std::string& path, const Json& container)
     {

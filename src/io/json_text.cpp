@@ -27,7 +27,7 @@ void append_number(std::string& text, double value)
         return;
     }
     std::array<char, 64> digits{};
-    // What dump() calls. (std::to_chars writes other digits of the same number: 1 for 1.0, 1e-04 for 0.0001.)
+    // Function that dump() calls. (std::to_chars writes other digits of the same number: 1 for 1.0, 1e-04 for 0.0001.)
     char* end = nlohmann::detail::to_chars(digits.data(), digits.data() + digits.size(), value);
     text.append(digits.data(), end);
 }

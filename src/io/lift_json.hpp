@@ -1,5 +1,5 @@
 /// \file
-/// Who was lifted out of a plane, as results say it.
+/// Spheres that were lifted out of a plane, as results say it.
 #pragma once
 
 #include <carom/study.hpp>

@@ -13,7 +13,7 @@ namespace carom::io {
 class DescriptorBuffer final : public std::streambuf {
 public:
     explicit DescriptorBuffer(int descriptor);
-    /// What is left is written, as far as that goes.
+    /// The rest is written, as far as that goes.
     ~DescriptorBuffer() override;
     DescriptorBuffer(const DescriptorBuffer&) = delete;
     DescriptorBuffer& operator=(const DescriptorBuffer&) = delete;

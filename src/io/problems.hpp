@@ -1,5 +1,5 @@
 /// \file
-/// What is wrong with a file: collected, so that one reading reports everything.
+/// Problems of a file: collected, so that one reading reports everything.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ public:
 
 private:
     bool read_pair();
-    /// What the next row of chunks has; valid until the next one.
+    /// Content of the next row of chunks; valid until the next one.
     struct Chunk {
         std::span<const unsigned char> data;
         std::size_t count = 0;

@@ -1,5 +1,5 @@
 /// \file
-/// What a recording looks like inside, shared by writer and reader; docs/recording.md tells it to others.
+/// Layout of a recording, shared by writer and reader; docs/recording.md tells it to others.
 #pragma once
 
 #include "io/columns.hpp"

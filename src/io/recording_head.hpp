@@ -1,5 +1,5 @@
 /// \file
-/// What stands in a recording before its chunks, and what the end of a run added to it.
+/// Head of a recording: what stands before its chunks, and what the end of a run added to it.
 #pragma once
 
 #include "io/recording_bodies.hpp"

@@ -73,7 +73,7 @@ Json pressure_json(const Scene& scene, const RunStudy& run)
     return {{"virial_z", nullptr}, {"planes", planes}};
 }
 
-/// What follows is as long as the scene is large: it is written as text.
+/// Lists as long as the scene is large: written as text.
 void append_rest_times(std::string& text, const Scene& scene, const Outcome& outcome)
 {
     constexpr std::size_t indent = json_indent, inner = indent + json_indent;

@@ -12,7 +12,7 @@
 
 namespace carom::io {
 
-/// What is wrong is left out of the scene (and reported), so that the rest can still be validated.
+/// Wrong parts are left out of the scene (and reported), so that the rest can still be validated.
 struct SceneDraft {
     Scene scene;
     BodyPlaces places;            ///< of the bodies read so far
@@ -48,7 +48,7 @@ void read_command_defaults(ObjectView& root, SceneDraft& draft);
 // scene_parts.cpp: what several sections share
 /// Index of the material that a value names.
 std::optional<int> as_material(const Place& place, const Scene& scene, Problems& problems);
-/// Of the key "material"; without it the material "default", index 0.
+/// Index by the key "material"; without it the material "default", index 0.
 int read_material(ObjectView& view, const SceneDraft& draft);
 /// An id that may stand in a table: not empty, no commas, quotes or control characters.
 std::string read_id(ObjectView& view, const std::string& fallback);

@@ -16,7 +16,7 @@ void read_lcp(ObjectView& view, LcpOptions& lcp)
     lcp.sweeps = static_cast<int>(view.integer("sweeps", 1, most).value_or(static_cast<std::uint64_t>(lcp.sweeps)));
 }
 
-/// What an operator other than lcp would silently ignore.
+/// Keys that an operator other than lcp would silently ignore.
 void refuse_lcp_options(ObjectView& view)
 {
     for (const char* key : {"law", "solver", "sweeps"})

@@ -30,7 +30,7 @@ public:
     /// The first column of the first row. \throws InputError
     std::string text_of(const char* sql);
 
-    /// What every message begins with.
+    /// Begin of every message.
     std::string file;
 
 private:

@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What is wrong with a line, for its sender.
+/// Problem of a line, for its sender.
 struct BadQuery : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

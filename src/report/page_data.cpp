@@ -38,7 +38,7 @@ Json row_json(const CompareRow& row)
         json[std::string(column.name)] = study::cell_value<Json>(column.cell(row));
         if (column.name == "passes") json["label"] = label(row);
     }
-    // What only the page needs, beyond the columns of the CSV.
+    // Series and lists for the page alone, beyond the columns of the CSV.
     json["mistimed_impacts"] = row.mistimed_impacts;
     json["reference_impacts"] = row.reference_impacts;
     json["time"] = row.time;

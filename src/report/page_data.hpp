@@ -1,5 +1,5 @@
 /// \file
-/// What the comparison page draws, as JSON (format carom-page/1, documented in report/page.hpp).
+/// Data of the comparison page, as JSON (format carom-page/1, documented in report/page.hpp).
 #pragma once
 
 #include <carom/study.hpp>
