@@ -92,7 +92,7 @@ struct RowSeries {
     /// [sample][sphere] centres, empty for scenes of more than `max_track_spheres` [length].
     std::vector<std::vector<std::array<float, 3>>> tracks;
 };
-inline constexpr std::size_t max_track_spheres = 300;
+inline constexpr std::size_t max_track_spheres = 2000;
 inline constexpr std::size_t max_listed_mismatches = 200;  ///< of each kind and row
 
 /// One line of compare.csv. Optional figures are those that the comparison cannot give.

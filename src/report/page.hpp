@@ -8,7 +8,8 @@
 ///
 /// COMPARISON:
 /// - `title`, `description`: plain text; the title also names the files that can be downloaded.
-/// - `units`: {`length`, `time`, `mass`}, texts as in the scene; without a key no unit is shown. "s" and "m" get
+/// - `units`: {`length`, `time`, `mass`}, texts as in the scene; without a key axes say "length", "time". "s" and "m"
+/// get
 ///   prefixes.
 /// - `verdict`: sentences; the first is set large and repeated in the overview.
 /// - `until`: end of the comparison [time].
@@ -27,10 +28,10 @@
 ///   `position_max`: [..] [length]}.
 /// - `missed`: {`row`, `times`: [..] ascending, `names`: ["ball - floor", ..]} for rows that missed impacts. The
 ///   lists may be cut to the first few hundred; the count is taken from the row's `missed_impacts`.
-/// - `view`: the side view; may be left out.
+/// - `view`: the picture; may be left out.
 ///
 /// VIEW:
-/// - `axes`: names of the axes to the right and up, ["x", "z"].
+/// - `axes`: names of the axes to the right and up, ["x", "z"]; `from_above`: true if gravity points into the picture.
 /// - `min`, `max`: [right, up], the box in which tracks are stored: a few percent wider than all that the reference
 ///   visits and the planes it meets. What leaves the box is clamped and drawn as gone.
 /// - `radius`, `color`, `names`: one for each sphere shown; colours are CSS texts, "" for the method's own colour.

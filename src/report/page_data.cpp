@@ -1,6 +1,6 @@
 #include "report/page_data.hpp"
 
-#include "report/side_view.hpp"
+#include "report/scene_view.hpp"
 #include "report/tolerances.hpp"
 #include "study/compare_columns.hpp"
 #include "study/method_verdict.hpp"
@@ -81,7 +81,7 @@ Json missed_json(const Scene& scene, const Comparison& comparison)
 }
 
 /// Planes that are seen edge-on, as lines.
-Json planes_json(const Scene& scene, const SideView& view)
+Json planes_json(const Scene& scene, const SceneView& view)
 {
     Json all = Json::array();
     for (const Plane& plane : scene.planes) {
@@ -104,8 +104,9 @@ std::string color_of(const Scene& scene, const Sphere& sphere)
 Json view_json(const Scene& scene, const Comparison& comparison)
 {
     if (scene.spheres.empty() || scene.spheres.size() > max_track_spheres) return nullptr;
-    const std::size_t stride = scene.spheres.size() > most_with_all_frames ? 2 : 1;
-    const SideView view = side_view(scene, comparison);
+    const std::size_t stride =
+        frame_stride(scene.spheres.size(), comparison.sample_times.size(), comparison.rows.size() + 1);
+    const SceneView view = scene_view(scene, comparison);
     static constexpr const char* axis_names[] = {"x", "y", "z"};
     std::vector<double> radius, times;
     std::vector<std::string> color, names;
@@ -123,6 +124,7 @@ Json view_json(const Scene& scene, const Comparison& comparison)
     for (std::size_t i = 0; i < comparison.rows.size(); ++i)
         tracks.push_back({{"row", i}, {"data", packed_tracks(view, comparison.rows[i].series.tracks, stride)}});
     return {{"axes", Json::array({axis_names[view.axes[0]], axis_names[view.axes[1]]})},
+            {"from_above", view.from_above},
             {"min", view.min},
             {"max", view.max},
             {"radius", radius},

@@ -9,7 +9,7 @@
 
 namespace carom::report {
 
-/// One comparison as a JSON object, compact. Tracks are side views of at most `max_track_spheres` spheres.
+/// One comparison as a JSON object, compact. Tracks are views of at most `max_track_spheres` spheres.
 std::string comparison_data(const Scene& scene, const Comparison& comparison);
 
 /// The page's whole data: format, generator, and these comparisons.

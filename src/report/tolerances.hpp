@@ -18,7 +18,10 @@ inline constexpr double longer_across = 1 + 1e-9;
 inline constexpr double view_margin = 0.03;
 /// Steps [1] across a view of packed tracks: 16 bits, far below a pixel.
 inline constexpr double track_steps = 65535;
-/// Spheres [1] above which half the frames are drawn: enough to see where a crowd goes, at half the size.
-inline constexpr std::size_t most_with_all_frames = 100;
+/// Spread along gravity [spread along the shorter of the other two axes] below which a scene is drawn from above: the
+/// side would show a strip ten times as long as high.
+inline constexpr double flat_part = 0.1;
+/// Points [spheres x frames x tracks] of a page: 5.3 bytes each, 5 MB together, which a browser reads in a second.
+inline constexpr std::size_t most_points = 1'000'000;
 
 }  // namespace carom::report

@@ -1,5 +1,5 @@
 #include "report/page_data.hpp"
-#include "report/side_view.hpp"
+#include "report/scene_view.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -122,10 +122,11 @@ TEST_CASE("charts over time open at the verdict's step: the cheapest that is eno
     CHECK(shown() == 0.5);  // the same CPU time: the larger step
 }
 
-TEST_CASE("the side view has gravity down, the motion across, and planes seen edge-on", "[page_data]")
+TEST_CASE("the picture has gravity down, the motion across, and planes seen edge-on", "[page_data]")
 {
     const json view = json::parse(comparison_data(ball_scene(), some_comparison()))["view"];
     CHECK(view["axes"] == json({"x", "z"}));
+    CHECK(view["from_above"] == false);
     REQUIRE(view["planes"].size() == 2);  // the back wall is parallel to the view
     CHECK(view["planes"][0]["name"] == "floor");
     CHECK(view["planes"][1]["normal"] == json({-1.0, 0.0}));
@@ -149,7 +150,36 @@ TEST_CASE("the side view has gravity down, the motion across, and planes seen ed
     CHECK(lost[3] == 0);        // not a number: at the edge
 }
 
-TEST_CASE("scenes of too many spheres have no side view", "[page_data]")
+TEST_CASE("a table is seen from above, with gravity and without; what leaves it is seen from the side", "[page_data]")
+{
+    Comparison comparison = some_comparison();
+    comparison.reference.tracks = {{{0, 0, 0.5F}}, {{2, 1, 0.5F}}, {{4, -1, 0.5F}}};
+    for (const Vec3& gravity : {Vec3(0, 0, -9.81), Vec3(0, 0, 0)}) {
+        Scene scene = ball_scene();
+        scene.spheres[0].position.z() = 0.5;
+        scene.gravity = gravity;
+        CHECK(scene_view(scene, comparison).axes == std::array{0, 1});
+        CHECK(scene_view(scene, comparison).from_above);
+        // It rises by a third of what it moves along y.
+        Comparison jump = comparison;
+        jump.reference.tracks[1][0][2] = 1.2F;
+        CHECK(scene_view(scene, jump).axes == std::array{0, 2});
+    }
+}
+
+TEST_CASE("a crowd has fewer frames, not more bytes", "[page_data]")
+{
+    CHECK(frame_stride(1, 201, 20) == 1);
+    CHECK(frame_stride(20, 201, 20) == 1);
+    for (const std::size_t spheres : {100UL, 1000UL, 2000UL}) {
+        const std::size_t stride = frame_stride(spheres, 201, 21);
+        CHECK((200 / stride + 1) * spheres * 21 <= 1'100'000);
+        CHECK(200 / stride >= 20);
+    }
+    CHECK(frame_stride(1'000'000, 201, 21) == 200);  // first and last
+}
+
+TEST_CASE("scenes of too many spheres have no picture", "[page_data]")
 {
     Scene scene = ball_scene();
     scene.spheres.resize(max_track_spheres + 1, scene.spheres[0]);

@@ -6,13 +6,11 @@ import { init, use } from "echarts/core";
 import { SVGRenderer } from "echarts/renderers";
 import { h } from "./dom.js";
 import { SYMBOLS } from "./styles.js";
+import { theme } from "./theme.js";
 
 use([CustomChart, LineChart, ScatterChart, GridComponent, MarkLineComponent, TooltipComponent, SVGRenderer]);
 
 export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
-export const INK = "#1d2733";
-export const MUTED = "#52606d";
-const GRID = "#e3e8ee";
 const NEAR = "800px"; // charts further from the window than this wait
 const NARROW = 520; // below this width keys stand below the chart, not at the line ends
 
@@ -23,17 +21,17 @@ export function symbolPath(name) {
 /** What all axes share. */
 export function axis(name, extra = {}) {
   return {
-    type: "value", name, nameTextStyle: { color: INK, fontSize: 13, fontWeight: 600, fontFamily: FONT },
-    axisLine: { show: true, onZero: false, lineStyle: { color: "#8895a3" } }, axisTick: { show: true, ...extra.axisTick },
-    axisLabel: { color: MUTED, fontSize: 12, hideOverlap: true, ...extra.axisLabel },
-    splitLine: { lineStyle: { color: GRID } },
+    type: "value", name, nameTextStyle: { color: theme().ink, fontSize: 13, fontWeight: 600, fontFamily: FONT },
+    axisLine: { show: true, onZero: false, lineStyle: { color: theme().axis } }, axisTick: { show: true, ...extra.axisTick },
+    axisLabel: { color: theme().muted, fontSize: 12, hideOverlap: true, ...extra.axisLabel },
+    splitLine: { lineStyle: { color: theme().grid } },
     ...Object.fromEntries(Object.entries(extra).filter(([key]) => key !== "axisTick" && key !== "axisLabel")),
   };
 }
 
 /** Name of the upward axis: written flat above it, where it can be read. */
 export function above(left) {
-  return { nameLocation: "end", nameGap: 14, nameTextStyle: { align: "left", padding: [0, 0, 0, -left + 4], color: INK, fontSize: 13, fontWeight: 600, fontFamily: FONT } };
+  return { nameLocation: "end", nameGap: 14, nameTextStyle: { align: "left", padding: [0, 0, 0, -left + 4], color: theme().ink, fontSize: 13, fontWeight: 600, fontFamily: FONT } };
 }
 
 /** Pixels of a point, for grids that state their margins. */
@@ -44,7 +42,7 @@ export function pixels({ grid, width, height, x, y }) {
 
 /** A line across the chart at the floor of a logarithmic axis. */
 export function floorLine(scale, key) {
-  return { [key]: Math.log10(scale.floor), lineStyle: { type: [2, 3], color: "#444", width: 1.2 }, label: { show: false } };
+  return { [key]: Math.log10(scale.floor), lineStyle: { type: [2, 3], color: theme().mark, width: 1.2 }, label: { show: false } };
 }
 
 /** Ticks of an axis that shows log10 values (see logaxis.js). */
@@ -57,7 +55,13 @@ export function decades(scale, format) {
 }
 
 export function tooltip(extra) {
-  return { confine: true, backgroundColor: "#fff", borderColor: "#8895a3", textStyle: { color: INK, fontSize: 13, fontFamily: FONT }, extraCssText: "max-width:min(420px,90%);white-space:normal;", ...extra };
+  return { confine: true, backgroundColor: theme().paper, borderColor: theme().axis, textStyle: { color: theme().ink, fontSize: 13, fontFamily: FONT }, extraCssText: "max-width:min(420px,90%);white-space:normal;", ...extra };
+}
+
+const charts = new Set(); // in the page
+/** Draws charts that were not yet near the window: paper shows all. */
+export function drawAllCharts() {
+  charts.forEach((chart) => chart.drawNow());
 }
 
 /**
@@ -86,6 +90,7 @@ export function makeChart({ label, height, option }) {
     if (!element.isConnected) { // taken out of the page
       chart?.dispose();
       chart = null;
+      charts.delete(self);
       return;
     }
     const now = Math.floor(element.clientWidth);
@@ -105,6 +110,12 @@ export function makeChart({ label, height, option }) {
     start();
   }, { rootMargin: NEAR });
   watcher.observe(element);
-  window.addEventListener("beforeprint", start);
+  const self = {
+    drawNow: () => {
+      width ||= Math.floor(element.clientWidth);
+      start();
+    },
+  };
+  charts.add(self);
   return { element, update: draw };
 }

@@ -1,8 +1,8 @@
 // The columns of compare.csv: heading, unit, and what each means. Table, glossary and axis names all read from here.
 
-const length = (u) => u.length ?? "";
-const speed = (u) => (u.length && u.time ? `${u.length}/${u.time}` : "");
-const time = (u) => u.time ?? "";
+const length = (u) => u.length;
+const speed = (u) => `${u.length}/${u.time}`;
+const time = (u) => u.time;
 const seconds = () => "s";
 const none = () => "";
 

@@ -1,4 +1,4 @@
-// Tracks of the side view: base64 of little-endian uint16, frame by frame, sphere by sphere, axis by axis.
+// Tracks of the picture: base64 of little-endian uint16, frame by frame, sphere by sphere, axis by axis.
 
 const FULL = 65535;
 

@@ -33,9 +33,12 @@ export function formatNumber(x, digits = 3) {
   return short === "1" ? power : `${short} × ${power}`;
 }
 
+const UNSAID = ["length", "time", "length/time"]; // scenes without units: axes say what is meant, numbers stand alone
+
 /** A number with its unit; seconds and metres take prefixes: 3.2e-3 s is "3.2 ms". */
-export function formatQuantity(x, unit = "", digits = 3) {
+export function formatQuantity(x, unitOrKind = "", digits = 3) {
   if (!isNumber(x)) return "–";
+  const unit = UNSAID.includes(unitOrKind) ? "" : unitOrKind;
   const steps = PREFIXED[unit];
   const size = Math.abs(x);
   const outside = !steps || size < steps[0][0] || size >= steps.at(-1)[0] * 1e4;

@@ -1,5 +1,7 @@
 // Texts beside points and line ends, put where they cover neither each other nor the points. The charts do not do that well enough.
 
+import { theme } from "./theme.js";
+
 const LINE = 15; // px, height of a text
 const HIT = 10; // cost of covering a text or a point; a line costs 1 for each of its samples
 const SAMPLE = 7; // px between the samples of a line
@@ -86,7 +88,7 @@ export function textSeries(texts, family) {
       const { text, x, y, color, size, weight = 400, from } = texts[params.dataIndex];
       const children = [{
         type: "text",
-        style: { text, x, y, fill: color, font: `${weight} ${size}px ${family}`, textVerticalAlign: "middle", verticalAlign: "middle", stroke: "#fff", lineWidth: 3 },
+        style: { text, x, y, fill: color, font: `${weight} ${size}px ${family}`, textVerticalAlign: "middle", verticalAlign: "middle", stroke: theme().paper, lineWidth: 3 },
       }];
       if (from) children.unshift({ type: "line", shape: { x1: from[0], y1: from[1], x2: from[2], y2: from[3] }, style: { stroke: color, lineWidth: 0.8 } });
       return { type: "group", children };

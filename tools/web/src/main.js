@@ -1,10 +1,12 @@
 // The page: verdicts in words, then what they rest on.
 
+import { drawAllCharts } from "./chart.js";
 import { h } from "./dom.js";
 import { formatNumber, formatQuantity, isNumber } from "./format.js";
 import { missedFigure } from "./missed_chart.js";
 import { withLateAndLost } from "./rows.js";
 import { glossary, rowsTable } from "./table.js";
+import { onThemeChange } from "./theme.js";
 import { timeFigure } from "./time_chart.js";
 import { viewFigure } from "./view.js";
 import { workFigure } from "./work_chart.js";
@@ -15,7 +17,8 @@ const KINDS = { closed_form: "closed form", multiprecision: "independent multipr
 /** What may be absent is made empty, so that nothing later has to ask. */
 function complete(comparison, index) {
   const rows = withLateAndLost(comparison.rows ?? []);
-  return { title: `Comparison ${index + 1}`, description: "", verdict: [], ...comparison, rows, units: comparison.units ?? {}, reference: comparison.reference ?? {}, id: `comparison-${index + 1}` };
+  const units = { length: comparison.units?.length || "length", time: comparison.units?.time || "time" };
+  return { title: `Comparison ${index + 1}`, description: "", verdict: [], ...comparison, rows, units, reference: comparison.reference ?? {}, id: `comparison-${index + 1}` };
 }
 
 function verdictBox(comparison) {
@@ -26,13 +29,12 @@ function verdictBox(comparison) {
 }
 
 function referenceLine({ reference, until, units, rows, tolerance }) {
-  const unit = units.length ? ` ${units.length}` : "";
   const parts = [`${rows.length} ${rows.length === 1 ? "run" : "runs"}`];
-  const time = (t) => formatQuantity(t, units.time ?? "", 5);
+  const time = (t) => formatQuantity(t, units.time, 5);
   const short = isNumber(reference.until) && isNumber(until) && reference.until < until;
   if (isNumber(until)) parts.push(short ? `run to t = ${time(until)}, compared up to t = ${time(reference.until)}` : `compared up to t = ${time(until)}`);
-  if (isNumber(tolerance)) parts.push(`tolerance: position error ${formatQuantity(tolerance, units.length ?? "")}`);
-  if (reference.kind) parts.push(`reference: ${KINDS[reference.kind] ?? reference.kind}${reference.bound > 0 ? `, off by ${formatNumber(reference.bound, 2)}${unit} at most` : ""}`);
+  if (isNumber(tolerance)) parts.push(`tolerance: position error ${formatQuantity(tolerance, units.length)}`);
+  if (reference.kind) parts.push(`reference: ${KINDS[reference.kind] ?? reference.kind}${reference.bound > 0 ? `, off by ${formatQuantity(reference.bound, units.length, 2)} at most` : ""}`);
   if (reference.reason) parts.push(`the reference ends there: ${reference.reason}`);
   return h("p", { class: "facts" }, parts.join(" · "));
 }
@@ -46,11 +48,11 @@ function section(comparison, alone) {
       caption: "Energy less the reference’s, over its greatest kinetic energy; the logarithmic scale shows the magnitude.",
     }),
     timeFigure(comparison, {
-      quantity: "penetration", title: "Penetration over time", axisName: "deepest overlap", unit: units.length ?? "",
+      quantity: "penetration", title: "Penetration over time", axisName: "deepest overlap", unit: units.length,
       caption: "How deep the deepest overlap is at the sample times: sphere in sphere or in a plane. Rigid bodies have none. Samples see a stepper after its correction; the table’s deepest penetration is the one before, and larger.",
     }),
     timeFigure(comparison, {
-      quantity: "position_max", title: "Position error over time", axisName: "greatest position error", unit: units.length ?? "",
+      quantity: "position_max", title: "Position error over time", axisName: "greatest position error", unit: units.length,
       caption: "Distance of the worst sphere from where the reference has it.",
     }),
     missedFigure(comparison),
@@ -88,15 +90,22 @@ function build(data) {
 
 function start() {
   const main = document.getElementById("page");
-  try {
-    const data = JSON.parse(document.getElementById("carom-data").textContent);
-    if (data.format !== FORMAT) throw new Error(`its data are “${data.format}”, it can show “${FORMAT}”`);
-    main.replaceChildren(...build(data));
-  } catch (error) {
-    main.replaceChildren(h("p", { class: "failure" }, `This page cannot be shown: ${error.message}`));
-    throw error;
-  }
-  window.addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((d) => { d.open = true; }));
+  const show = () => {
+    try {
+      const data = JSON.parse(document.getElementById("carom-data").textContent);
+      if (data.format !== FORMAT) throw new Error(`its data are “${data.format}”, it can show “${FORMAT}”`);
+      main.replaceChildren(...build(data));
+    } catch (error) {
+      main.replaceChildren(h("p", { class: "failure" }, `This page cannot be shown: ${error.message}`));
+      throw error;
+    }
+  };
+  show();
+  onThemeChange(show);
+  window.addEventListener("beforeprint", () => {
+    document.querySelectorAll("details").forEach((d) => { d.open = true; });
+    drawAllCharts();
+  });
 }
 
 start();

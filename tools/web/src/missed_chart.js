@@ -1,12 +1,13 @@
 // Impacts that a method did not notice: one strip a row, one mark an impact, the number beside the name.
 
-import { axis, FONT, INK, makeChart, tooltip } from "./chart.js";
+import { axis, FONT, makeChart, tooltip } from "./chart.js";
 import { h } from "./dom.js";
 import { figure } from "./figure.js";
 import { escapeHtml, formatNumber, formatQuantity, isNumber, slug, withUnit } from "./format.js";
 import { textWidth } from "./labels.js";
 import { isStepped, rowLabel, stepLabel } from "./rows.js";
 import { methodStyle } from "./styles.js";
+import { theme } from "./theme.js";
 
 const STRIP = 30;
 const FONT_SIZE = 12.5;
@@ -49,7 +50,7 @@ export function missedFigure(comparison) {
   const counted = strips.filter((s) => s.count !== null);
   const end = comparison.reference.until ?? comparison.until;
   if (!strips.length || !(end > 0)) return null;
-  const timeUnit = comparison.units.time ?? "";
+  const timeUnit = comparison.units.time;
   const total = counted.reduce((sum, s) => sum + s.count, 0);
   const clean = counted.filter((s) => s.count === 0 && !isNumber(s.row.divergence_time));
   const hit = counted.filter((s) => s.count > 0);
@@ -67,7 +68,7 @@ export function missedFigure(comparison) {
   const names = hit.map((s) => [`${rowLabel(s.row)}:  `, countText(s)]);
   const nameWidth = Math.max(...names.map(([row, count]) => textWidth(row, FONT_SIZE) + textWidth(count, FONT_SIZE, 700)));
   const option = ({ narrow }) => ({
-    animation: false, textStyle: { fontFamily: FONT, color: INK },
+    animation: false, textStyle: { fontFamily: FONT, color: theme().ink },
     grid: { left: narrow ? 14 : nameWidth + 16, right: narrow ? 18 : 30, top: narrow ? 22 : 8, bottom: 52, outerBoundsMode: "none" },
     tooltip: tooltip({
       trigger: "item",
@@ -80,10 +81,10 @@ export function missedFigure(comparison) {
     xAxis: axis(withUnit("time", timeUnit), { nameLocation: "middle", nameGap: 32, min: 0, max: Math.min(comparison.until, end), axisLabel: { formatter: (v) => formatNumber(v) } }),
     yAxis: {
       type: "category", inverse: true, data: names.map(([row, count]) => `${row}{n|${count}}`),
-      axisLine: { show: !narrow, lineStyle: { color: "#8895a3" } }, axisTick: { show: false }, splitLine: { show: true, lineStyle: { color: "#e3e8ee" } },
+      axisLine: { show: !narrow, lineStyle: { color: theme().axis } }, axisTick: { show: false }, splitLine: { show: true, lineStyle: { color: theme().grid } },
       axisLabel: narrow
-        ? { inside: true, align: "left", verticalAlign: "bottom", padding: [0, 0, 6, -8], color: INK, fontSize: 12, margin: 2, rich: { n: { fontWeight: 700, fontSize: 12 } }, interval: 0 }
-        : { color: INK, fontSize: FONT_SIZE, interval: 0, rich: { n: { fontWeight: 700, fontSize: FONT_SIZE } } },
+        ? { inside: true, align: "left", verticalAlign: "bottom", padding: [0, 0, 6, -8], color: theme().ink, fontSize: 12, margin: 2, rich: { n: { fontWeight: 700, fontSize: 12 } }, interval: 0 }
+        : { color: theme().ink, fontSize: FONT_SIZE, interval: 0, rich: { n: { fontWeight: 700, fontSize: FONT_SIZE } } },
       z: 10,
     },
     series: [{

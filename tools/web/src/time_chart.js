@@ -1,6 +1,6 @@
 // A quantity over time, one line a row: the rows of one step, or all steps of one method.
 
-import { above, axis, decades, floorLine, FONT, INK, makeChart, pixels, symbolPath, tooltip } from "./chart.js";
+import { above, axis, decades, floorLine, FONT, makeChart, pixels, symbolPath, tooltip } from "./chart.js";
 import { choice, h, toggle } from "./dom.js";
 import { figure, makeKey } from "./figure.js";
 import { escapeHtml, formatNumber, formatQuantity, isNumber, powerOfTen, slug, withUnit } from "./format.js";
@@ -8,6 +8,7 @@ import { spread, textSeries, textWidth } from "./labels.js";
 import { logAxis } from "./logaxis.js";
 import { groupRows, isStepped, rowLabel, stepLabel, stepsOf } from "./rows.js";
 import { indexStyle, methodStyle } from "./styles.js";
+import { theme } from "./theme.js";
 
 const SYMBOLS_A_LINE = 6;
 const SPAN_FOR_LOG = 100; // lines that differ by more than this are drawn on a logarithmic axis at first
@@ -69,7 +70,7 @@ export function timeFigure(comparison, what) {
   const { steps, methods } = selections(comparison, series);
   const verdicts = steps.find(({ value }) => value === `step:${comparison.step_shown}`);
   let selection = (verdicts ?? steps[Math.floor(steps.length / 2)])?.value ?? "step:";
-  const timeUnit = comparison.units.time ?? "";
+  const timeUnit = comparison.units.time;
   const key = makeKey();
 
   const sizes = series.flatMap((s) => s[what.quantity]).filter(isNumber).map(Math.abs).filter((v) => v > 0);
@@ -92,7 +93,7 @@ export function timeFigure(comparison, what) {
     const points = lines.map(({ s }) => s[what.quantity].map((v, i) => [s.time[i], isNumber(v) ? (log ? log.place(v) : v) : null]));
     const toPixel = pixels({ grid, width, height, x: { min: 0, max: end }, y: log ?? linear });
     return {
-      animation: false, textStyle: { fontFamily: FONT, color: INK },
+      animation: false, textStyle: { fontFamily: FONT, color: theme().ink },
       grid,
       tooltip: tooltip({
         trigger: "axis", axisPointer: { type: "line" },

@@ -1,4 +1,4 @@
-// The side view with its controls: one method beside or over the reference, so that a missed impact is seen.
+// The picture with its controls: one method beside or over the reference, so that a missed impact is seen.
 
 import { choice, freshId, h, toggle } from "./dom.js";
 import { decodeTrack } from "./decode.js";
@@ -6,7 +6,8 @@ import { figure } from "./figure.js";
 import { formatNumber, formatQuantity } from "./format.js";
 import { rowLabel } from "./rows.js";
 import { methodStyle } from "./styles.js";
-import { drawPanel, drawScaleBar, FEW, isEnlarged, suitableHeight } from "./view_draw.js";
+import { theme } from "./theme.js";
+import { drawPanel, drawScaleBar, FEW, sizeNote, suitableHeight } from "./view_draw.js";
 
 const REFERENCE = -1;
 const LENGTHS = [{ value: 4, label: "4 s" }, { value: 8, label: "8 s" }, { value: 20, label: "20 s" }, { value: 60, label: "60 s" }];
@@ -16,7 +17,7 @@ const AFTER_MISS = 0.04; // of the run: the view opens so much after the first m
 export function viewFigure(comparison) {
   const { view, rows, units } = comparison;
   if (!view?.tracks?.length || !view.times?.length) return null;
-  const timeUnit = units.time ?? "";
+  const timeUnit = units.time;
   const words = new Map();
   const track = (row) => {
     const found = view.tracks.find((t) => t.row === row);
@@ -31,6 +32,7 @@ export function viewFigure(comparison) {
   const state = { row: worst, mode: "overlay", time: known, seconds: 8, playing: false };
   if (missedOf(worst).length) state.time = Math.min(known, missedOf(worst)[0] + AFTER_MISS * (end - start));
 
+  const from = view.from_above ? "from above" : "from the side";
   const canvas = h("canvas", { class: "view", role: "img" });
   const clock = h("output", { class: "clock" });
   const note = h("p", { class: "note" });
@@ -46,7 +48,7 @@ export function viewFigure(comparison) {
     if (!width) return;
     const method = track(state.row);
     const reference = state.row === REFERENCE ? null : track(REFERENCE);
-    const color = rows[state.row] ? methodStyle(rows[state.row].method).color : "#5d6875";
+    const color = rows[state.row] ? methodStyle(rows[state.row].method).color : theme().reference;
     const beside = state.mode === "beside" && method && reference;
     const aspect = (view.max[1] - view.min[1]) / (view.max[0] - view.min[0]);
     const stacked = beside && (aspect < 0.5 || (width < SIDE_BY_SIDE && aspect < 1.2));
@@ -68,13 +70,12 @@ export function viewFigure(comparison) {
       : [{ rect, reference, method }];
     for (const panel of panels) {
       const map = drawPanel(context, view, { time: state.time, color, ...panel });
-      context.strokeStyle = "#cbd3dc";
+      context.strokeStyle = theme().frame;
       context.lineWidth = 1;
       context.strokeRect(panel.rect.x + 0.5, panel.rect.y + 0.5, panel.rect.width - 1, panel.rect.height - 1);
-      drawScaleBar(context, map, units.length ?? "");
-      note.textContent = `Side view along ${view.axes[0]} (right) and ${view.axes[1]} (up), ` +
-        (map.stretch === 1 ? "both to the same scale." : `${view.axes[1]} drawn ${formatNumber(map.stretch, 2)} times as large as ${view.axes[0]}.`) +
-        (isEnlarged(view, map) ? " Spheres are drawn larger than they are, to be seen at all." : "");
+      drawScaleBar(context, map, units.length);
+      note.textContent = `${view.from_above ? "From above" : "From the side"}: ${view.axes[0]} to the right, ${view.axes[1]} up, ` +
+        (map.stretch === 1 ? "both to the same scale. " : `${view.axes[1]} drawn ${formatNumber(map.stretch, 2)} times as large as ${view.axes[0]}. `) + sizeNote(view, map);
     }
     describe();
   };
@@ -92,7 +93,7 @@ export function viewFigure(comparison) {
 
   const choose = () => {
     const row = rows[state.row];
-    const color = row ? methodStyle(row.method).color : "#5d6875";
+    const color = row ? methodStyle(row.method).color : theme().reference;
     const lines = view.radius.length <= FEW;
     const filled = h("span", { class: "dot" });
     filled.style.background = view.color?.[0] || color;
@@ -140,7 +141,7 @@ export function viewFigure(comparison) {
   const options = [{ options: choices.map((row) => ({ value: String(row), label: rowLabel(rows[row]) })) }];
   return figure({
     title: "What it looks like",
-    caption: choices.length ? `One run over the reference, from the side.${comparison.missed?.length ? " Red ticks below the time line: impacts that the run missed, or met more than 3 steps early or late." : ""}` : "The reference, from the side.",
+    caption: choices.length ? `One run over the reference, ${from}.${comparison.missed?.length ? " Red ticks below the time line: impacts that the run missed, or met more than 3 steps early or late." : ""}` : `The reference, ${from}.`,
     controls: [
       choices.length ? choice("Run", options, String(state.row), (value) => { state.row = Number(value); choose(); }) : null,
       choices.length && track(REFERENCE) ? toggle("Arrangement", [{ value: "overlay", label: "overlaid" }, { value: "beside", label: "side by side" }], state.mode, (value) => { state.mode = value; draw(); }) : null,

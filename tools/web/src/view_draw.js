@@ -1,7 +1,8 @@
-// The side view, drawn: planes, spheres, their paths. Pure drawing; the controls are in view.js.
+// The picture, drawn: planes, spheres, their paths. Pure drawing; the controls are in view.js.
 
 import { positionsAt } from "./decode.js";
 import { formatQuantity } from "./format.js";
+import { theme } from "./theme.js";
 import { drawPlane, namePlane } from "./view_planes.js";
 
 const MARGIN = 30; // px around the view's box, for planes and their names
@@ -13,7 +14,7 @@ const NAMED = 10; // up to so many planes are named
 
 /**
  * From the view to pixels, centred in `rect` {x, y, width, height}: one scale for both axes, unless the view is so long and flat
- * (or tall and narrow) that nothing would be seen; then each axis fills its side. `stretch`: upward scale over rightward scale.
+ * (or tall and narrow) that nothing would be seen; then each axis fills its side, and spheres are dots. `stretch`: upward scale over rightward scale.
  */
 export function projection(view, rect) {
   const room = [rect.width - 2 * MARGIN, rect.height - 2 * MARGIN];
@@ -45,13 +46,15 @@ export function suitableHeight(view, width) {
   return Math.round(Math.min(HIGHEST, Math.max(170, asked)));
 }
 
-export function isEnlarged(view, map) {
-  return view.radius.some((r) => r * Math.min(...map.scale) < LEAST_RADIUS);
+/** How the spheres are drawn, in words, unless it is as large as they are. */
+export function sizeNote(view, map) {
+  if (map.stretch !== 1) return "Spheres are dots of one size, to be seen at all.";
+  return view.radius.some((r) => r * map.scale[0] < LEAST_RADIUS) ? "Small spheres are drawn larger than they are, to be seen at all." : "";
 }
 
-function disc(context, x, y, [across, up]) {
+function disc(context, x, y, radius) {
   context.beginPath();
-  context.ellipse(x, y, across, up, 0, 0, 2 * Math.PI);
+  context.arc(x, y, radius, 0, 2 * Math.PI);
 }
 
 /** A mark at the edge for a sphere that has left what was recorded. */
@@ -100,14 +103,14 @@ export function drawPanel(context, view, panel) {
   context.beginPath();
   context.rect(rect.x, rect.y, rect.width, rect.height);
   context.clip();
-  context.fillStyle = "#fff";
+  context.fillStyle = theme().paper;
   context.fillRect(rect.x, rect.y, rect.width, rect.height);
   (view.planes ?? []).forEach((plane) => drawPlane(context, view, plane, map));
   const few = view.radius.length <= FEW;
-  const size = (i, more = 0) => map.scale.map((s) => Math.max(LEAST_RADIUS, view.radius[i] * s) + more);
+  const size = (i, more = 0) => (map.stretch === 1 ? Math.max(LEAST_RADIUS, view.radius[i] * map.scale[0]) : LEAST_RADIUS) + more;
 
   if (few && panel.reference) {
-    Object.assign(context, { strokeStyle: "#5d6875", lineWidth: 1.2 });
+    Object.assign(context, { strokeStyle: theme().reference, lineWidth: 1.2 });
     context.setLineDash([4, 4]);
     drawPath(context, view, panel.reference, map, Infinity);
     context.setLineDash([]);
@@ -120,7 +123,7 @@ export function drawPanel(context, view, panel) {
   const solids = panel.method ? positionsAt(view, panel.method, panel.time) : [];
   solids.forEach(({ x, y, outside }, i) => {
     const [px, py] = [map.x(x), map.y(y)];
-    Object.assign(context, { strokeStyle: "#1d2733", lineWidth: 1, fillStyle: view.color?.[i] || panel.color });
+    Object.assign(context, { strokeStyle: theme().ink, lineWidth: 1, fillStyle: view.color?.[i] || panel.color });
     if (outside) return gone(context, px, py, map, view.color?.[i] || panel.color);
     disc(context, px, py, size(i));
     context.fill();
@@ -128,8 +131,8 @@ export function drawPanel(context, view, panel) {
   });
   ghosts.forEach(({ x, y }, i) => {
     const [px, py] = [map.x(x), map.y(y)];
-    Object.assign(context, { strokeStyle: "#000", lineWidth: few ? 2 : 1.1 });
-    context.setLineDash(Math.min(...size(i)) > 6 ? [5, 3] : []);
+    Object.assign(context, { strokeStyle: theme().ghost, lineWidth: few ? 2 : 1.1 });
+    context.setLineDash(size(i) > 6 ? [5, 3] : []);
     disc(context, px, py, size(i, solids.length ? 1.5 : 0));
     context.stroke();
     context.setLineDash([]);
@@ -151,9 +154,9 @@ export function drawScaleBar(context, map, unit) {
   const text = formatQuantity(length, unit);
   context.font = "12px system-ui, sans-serif";
   const width = Math.max(px, context.measureText(text).width) + 12;
-  context.fillStyle = "rgba(255,255,255,.85)";
+  context.fillStyle = theme().veil;
   context.fillRect(right - width + 4, y - 19, width + 2, 26);
-  Object.assign(context, { strokeStyle: "#1d2733", lineWidth: 1.5, fillStyle: "#1d2733", textAlign: "right" });
+  Object.assign(context, { strokeStyle: theme().ink, lineWidth: 1.5, fillStyle: theme().ink, textAlign: "right" });
   context.beginPath();
   context.moveTo(right - px, y - 4);
   context.lineTo(right - px, y);

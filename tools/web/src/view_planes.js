@@ -1,4 +1,6 @@
-// Planes in the side view: a line with hatching on the solid side, plates as bars, and their names.
+// Planes in the picture: a line with hatching on the solid side, plates as bars, and their names.
+
+import { theme } from "./theme.js";
 
 const LEAST_PLATE = 4; // px
 const HATCH = 9; // px between strokes, and their depth
@@ -55,7 +57,7 @@ export function drawPlane(context, view, plane, map) {
   const middle = [(view.min[0] + view.max[0]) / 2, (view.min[1] + view.max[1]) / 2];
   const away = offset - (n[0] * middle[0] + n[1] * middle[1]);
   const p = { x: map.x(middle[0] + n[0] * away), y: map.y(middle[1] + n[1] * away) };
-  context.strokeStyle = "#3b4754";
+  context.strokeStyle = theme().plane;
   context.lineWidth = 1.6;
   if (isPlate) {
     const half = Math.max(LEAST_PLATE, plane.thickness * Math.abs(deep)) / 2;
@@ -66,7 +68,7 @@ export function drawPlane(context, view, plane, map) {
     for (const [side, end] of [[1, ends.from], [1, ends.to], [-1, ends.to], [-1, ends.from]])
       context.lineTo(p.x + tangent.x * end + solid.x * half * side, p.y + tangent.y * end + solid.y * half * side);
     context.closePath();
-    context.fillStyle = "#8e9aa8";
+    context.fillStyle = theme().plate;
     context.fill();
     context.lineWidth = 1;
     context.stroke();
@@ -76,7 +78,7 @@ export function drawPlane(context, view, plane, map) {
   const ends = surface(context, p, tangent, map.rect);
   if (!ends) return;
   context.lineWidth = 1;
-  context.strokeStyle = "#8b97a4";
+  context.strokeStyle = theme().hatch;
   hatch(context, p, tangent, solid, ends, HATCH);
 }
 
@@ -108,9 +110,9 @@ export function namePlane(context, view, plane, map) {
   context.translate(x, y);
   context.rotate(turn);
   context.lineWidth = 4;
-  context.strokeStyle = "#fff";
+  context.strokeStyle = theme().paper;
   context.strokeText(plane.name, 0, 0);
-  context.fillStyle = "#3b4754";
+  context.fillStyle = theme().plane;
   context.fillText(plane.name, 0, 0);
   context.restore();
 }

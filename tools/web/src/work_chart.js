@@ -1,14 +1,15 @@
 // The work-precision diagram: error against work, both logarithmic; one line a method, one point a step.
 
-import { above, axis, decades, floorLine, FONT, INK, makeChart, pixels, symbolPath, tooltip } from "./chart.js";
+import { above, axis, decades, floorLine, FONT, makeChart, pixels, symbolPath, tooltip } from "./chart.js";
 import { COLUMN, ERRORS, WORKS } from "./columns.js";
 import { choice, h } from "./dom.js";
 import { figure, makeKey } from "./figure.js";
-import { escapeHtml, formatDecade, formatNumber, formatQuantity, isNumber, powerOfTen, slug, withUnit } from "./format.js";
+import { escapeHtml, formatDecade, formatQuantity, isNumber, powerOfTen, slug, withUnit } from "./format.js";
 import { placeLabels, samples, textSeries, textWidth } from "./labels.js";
 import { farBelow, logAxis } from "./logaxis.js";
 import { groupRows, rowLabel, stepLabel } from "./rows.js";
 import { methodStyle } from "./styles.js";
+import { theme } from "./theme.js";
 
 const NOTE = { size: 11.5, weight: 400 };
 const NAME = { size: 13.5, weight: 700 };
@@ -73,7 +74,7 @@ export function workFigure(comparison) {
     } else if (rows.some((row) => drawable(row) && (y.floored(row[error.key])))) {
       parts.push(y.boundShown ? "Hollow symbols: no further from the reference than its own bound." : `Hollow symbols at the dotted line: zero${error.bounded && reference.bound > 0 ? ", or below the reference’s bound" : ""}.`);
     }
-    if (error.bounded && reference.bound > 0 && !y.boundShown) parts.push(`The reference’s bound, ${formatNumber(reference.bound, 2)}${unit ? ` ${unit}` : ""}, lies far below this range.`);
+    if (error.bounded && reference.bound > 0 && !y.boundShown) parts.push(`The reference’s bound, ${formatQuantity(reference.bound, unit, 2)}, lies far below this range.`);
     if (missing.length) parts.push(`Not drawn, without a figure for this choice: ${missing.join("; ")}.`);
     const cut = rows.filter((row) => row.status && row.status !== "reached_end").map((row) => `${rowLabel(row)} (${row.status})`);
     if (cut.length) parts.push(`Did not reach the end: ${cut.join("; ")}.`);
@@ -95,11 +96,11 @@ export function workFigure(comparison) {
     const toPixel = pixels({ grid, width, height, x, y });
     const marks = [];
     if (y.boundShown) {
-      marks.push({ yAxis: Math.log10(y.floor), lineStyle: { type: [8, 5], color: "#444", width: 1.2 }, label: { formatter: `reference bound ${formatQuantity(bound, unitOf(error), 2)}`, position: "insideEndBottom", color: "#444", fontSize: 12, fontFamily: FONT } });
+      marks.push({ yAxis: Math.log10(y.floor), lineStyle: { type: [8, 5], color: theme().mark, width: 1.2 }, label: { formatter: `reference bound ${formatQuantity(bound, unitOf(error), 2)}`, position: "insideEndBottom", color: theme().mark, fontSize: 12, fontFamily: FONT } });
     } else if (y.floor !== null) marks.push(floorLine(y, "yAxis"));
     if (x.floor !== null) marks.push(floorLine(x, "xAxis"));
     if (limit.length && Math.log10(tolerance) > y.min) {
-      marks.push({ yAxis: Math.log10(tolerance), lineStyle: { type: "solid", color: "#b97a00", width: 1.5 }, label: { formatter: `tolerance ${formatQuantity(tolerance, unitOf(error), 3)}`, position: "insideStartTop", color: "#7a5000", fontSize: 12, fontFamily: FONT } });
+      marks.push({ yAxis: Math.log10(tolerance), lineStyle: { type: "solid", color: theme().limit, width: 1.5 }, label: { formatter: `tolerance ${formatQuantity(tolerance, unitOf(error), 3)}`, position: "insideStartTop", color: theme().limitText, fontSize: 12, fontFamily: FONT } });
     }
 
     const lines = groups.map((group) => {
@@ -112,7 +113,7 @@ export function workFigure(comparison) {
         type: "line", name: group.name, z: 3, symbol: symbolPath(style.symbol), symbolSize: points.length === 1 ? 16 : SYMBOL, showSymbol: true, showAllSymbol: true,
         lineStyle: { color: style.color, width: style.width, type: style.dash.length ? style.dash : "solid" },
         itemStyle: { color: style.color, borderColor: style.color, borderWidth: 1.5 }, emphasis: { scale: 1.3 },
-        data: points.map(({ row, index: at, at: value }) => ({ value, row: at, itemStyle: y.floored(row[error.key]) || x.floored(row[work.key]) ? { color: "#fff" } : undefined })),
+        data: points.map(({ row, index: at, at: value }) => ({ value, row: at, itemStyle: y.floored(row[error.key]) || x.floored(row[work.key]) ? { color: theme().paper } : undefined })),
         markLine: index === 0 && marks.length ? { silent: true, symbol: "none", animation: false, data: marks } : undefined,
       });
       if (work.seconds && points.length) series.push(whiskers(points, x, style.color));
@@ -120,7 +121,7 @@ export function workFigure(comparison) {
     series.push(textSeries(labelsOf(lines, { grid, width, height, narrow }), FONT));
 
     return {
-      animation: false, textStyle: { fontFamily: FONT, color: INK },
+      animation: false, textStyle: { fontFamily: FONT, color: theme().ink },
       grid,
       tooltip: tooltip({
         trigger: "item",

@@ -1,4 +1,4 @@
-#include "report/side_view.hpp"
+#include "report/scene_view.hpp"
 
 #include "report/tolerances.hpp"
 
@@ -20,28 +20,38 @@ struct Box {
         min = min.cwiseMin(x - Vec3::Constant(r));
         max = max.cwiseMax(x + Vec3::Constant(r));
     }
+    Vec3 size() const { return max - min; }
 };
 
-Box seen_box(const Scene& scene, const Comparison& comparison)
-{
-    Box box;
-    for (const Sphere& s : scene.spheres) box.add(s.position, s.radius);
-    for (const auto& frame : comparison.reference.tracks)
-        for (std::size_t i = 0; i < frame.size(); ++i)
-            box.add(Vec3(frame[i][0], frame[i][1], frame[i][2]), scene.spheres[i].radius);
-    if (scene.spheres.empty()) box.add(Vec3::Zero(), 1);
-    return box;
-}
+/// Boxes around all that is seen: the centres alone, and with the radii.
+struct Seen {
+    Box centres, spheres;
 
-/// Where the reference ends early, its tracks show little: then those of the first run say where things go.
-void add_first_row(const Scene& scene, const Comparison& comparison, Box& box)
+    void add(const Vec3& x, double r)
+    {
+        centres.add(x, 0);
+        spheres.add(x, r);
+    }
+    void add(const Scene& scene, const Frames& frames)
+    {
+        for (const auto& frame : frames)
+            for (std::size_t i = 0; i < frame.size(); ++i) {
+                const Vec3 x(frame[i][0], frame[i][1], frame[i][2]);
+                if (x.allFinite()) add(x, scene.spheres[i].radius);
+            }
+    }
+};
+
+/// The start, the reference and, where that ends early and shows little, the first run.
+Seen seen(const Scene& scene, const Comparison& comparison)
 {
-    if (comparison.reference.until >= comparison.until || comparison.rows.empty()) return;
-    for (const auto& frame : comparison.rows.front().series.tracks)
-        for (std::size_t i = 0; i < frame.size(); ++i) {
-            const Vec3 x(frame[i][0], frame[i][1], frame[i][2]);
-            if (x.allFinite()) box.add(x, scene.spheres[i].radius);
-        }
+    Seen all;
+    for (const Sphere& s : scene.spheres) all.add(s.position, s.radius);
+    all.add(scene, comparison.reference.tracks);
+    if (comparison.reference.until < comparison.until && !comparison.rows.empty())
+        all.add(scene, comparison.rows.front().series.tracks);
+    if (scene.spheres.empty()) all.add(Vec3::Zero(), 1);
+    return all;
 }
 
 int up_axis(const Scene& scene)
@@ -49,6 +59,24 @@ int up_axis(const Scene& scene)
     int axis = 2;
     if (scene.gravity.squaredNorm() > 0) scene.gravity.cwiseAbs().maxCoeff(&axis);
     return axis;
+}
+
+/// The other axis than `without` along which `size` is the largest, the first of equals.
+int longest(const Vec3& size, int without)
+{
+    int axis = without == 0 ? 1 : 0;
+    for (int other = axis + 1; other < 3; ++other)
+        if (other != without && size[other] > size[axis] * longer_across) axis = other;
+    return axis;
+}
+
+/// Axes to the right and up on the page.
+std::array<int, 2> view_axes(const Vec3& spread, int up)
+{
+    const int across = longest(spread, up), third = 3 - up - across;
+    const bool from_above = spread[up] < flat_part * spread[third];
+    if (from_above) return {std::min(across, third), std::max(across, third)};
+    return {across, up};
 }
 
 /// A plane that faces an axis of the view, shown if it is no farther than the scene is wide.
@@ -80,18 +108,15 @@ std::string base64(const std::vector<std::uint8_t>& bytes)
 
 }  // namespace
 
-SideView side_view(const Scene& scene, const Comparison& comparison)
+SceneView scene_view(const Scene& scene, const Comparison& comparison)
 {
-    Box box = seen_box(scene, comparison);
-    add_first_row(scene, comparison, box);
-    const Vec3 size = box.max - box.min;
-    include_planes(scene, size, box);
-    SideView view;
+    Seen all = seen(scene, comparison);
+    Box& box = all.spheres;
+    include_planes(scene, box.size(), box);
+    SceneView view;
     const int up = up_axis(scene);
-    int across = up == 0 ? 1 : 0;
-    for (int axis = 0; axis < 3; ++axis)
-        if (axis != up && size[axis] > size[across] * longer_across) across = axis;
-    view.axes = {across, up};
+    view.axes = view_axes(all.centres.size(), up);
+    view.from_above = view.axes[1] != up;
     for (std::size_t k = 0; k < 2; ++k) {
         const int axis = view.axes[k];
         const double pad = view_margin * (box.max[axis] - box.min[axis]);
@@ -101,7 +126,15 @@ SideView side_view(const Scene& scene, const Comparison& comparison)
     return view;
 }
 
-std::string packed_tracks(const SideView& view, const Frames& frames, std::size_t stride)
+std::size_t frame_stride(std::size_t spheres, std::size_t frames, std::size_t tracks)
+{
+    const std::size_t points = std::max<std::size_t>(spheres * frames * tracks, 1);
+    const std::size_t wanted = (points + most_points - 1) / most_points;
+    const std::size_t longest_stride = frames > 1 ? frames - 1 : 1;
+    return std::min(std::max<std::size_t>(wanted, 1), longest_stride);
+}
+
+std::string packed_tracks(const SceneView& view, const Frames& frames, std::size_t stride)
 {
     std::vector<std::uint8_t> bytes;
     for (std::size_t k = 0; k < frames.size(); k += stride)
