@@ -33,7 +33,7 @@ struct CheckResult {
 struct Repeat {
     Outcome outcome;
     double difference = 0;      ///< of its end from the one expected, dimensionless
-    bool other_events = false;  ///< an event-driven run had another event_hash
+    bool other_events = false;  ///< it was another run: see `evaluate_checks`
 };
 
 /// Findings of a check while a run went on.
@@ -74,8 +74,9 @@ struct CheckReport {
 /// | reversed | largest distance from the start, in smallest radii | 1 |
 ///
 /// The difference of two runs: the largest of velocities, in largest speeds at the start, and of positions, in smallest
-/// radii. Positions of event-driven runs do not count, for they round where they are written as doubles, but events do:
-/// it is infinite where the second run has another event_hash.
+/// radii; distances within the spacing of doubles at the places that are written are none. It is infinite where an
+/// event-driven run is another one, by its event_hash, and for `reversed` where it has another number of impacts on the
+/// way back; also where nothing met on the way there.
 std::vector<CheckResult> evaluate_checks(const Scene& scene, const CheckedRun& run);
 
 struct CheckOptions {

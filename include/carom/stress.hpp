@@ -14,7 +14,7 @@ namespace carom {
 enum class Symptom : std::uint8_t {
     none,       ///< the rule is kept
     stopped,    ///< the run did not reach its end, or ended in numbers that are not finite
-    other_run,  ///< other events than those of the same scene elsewhere
+    other_run,  ///< other events than those of the same scene elsewhere, or none to be turned round
     sank,       ///< half a radius or more inside a body at the end of a step
     energy,     ///< energy that should be kept was not, by a hundredth or more
     missed,     ///< fewer impacts than there are

@@ -3,6 +3,7 @@
 #include <carom/metrics.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace carom::study {
 
@@ -47,17 +48,36 @@ double largest_speed(std::span<const BodyState> states)
     return largest;
 }
 
-double difference(const Scene& scene, const Check& check, const Outcome& first, std::vector<BodyState> end,
-                  bool event_driven)
+/// Largest distance [length] of two lists of positions, those of `shifted` less `shift`. Distances within the spacing
+/// of doubles, where they are written, are none.
+double largest_distance(std::span<const BodyState> shifted, std::span<const BodyState> states, const Vec3& shift)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const Vec3 there = states[i].position + shift;
+        const double size = std::max(there.lpNorm<Eigen::Infinity>(), shift.lpNorm<Eigen::Infinity>());
+        const double distance = (shifted[i].position - there).lpNorm<Eigen::Infinity>();
+        if (!(distance <= size * std::numeric_limits<double>::epsilon())) largest = std::max(largest, distance);
+    }
+    return largest;
+}
+
+double difference(const Scene& scene, const Check& check, const Outcome& first, std::span<const BodyState> end)
 {
     const std::vector<BodyState> start = initial_states(scene);
     const double radius = smallest_radius(scene);
     if (check.type == CheckType::reversed) return relative(position_deviation(end, start).max, radius);
     const double velocities = relative(velocity_deviation(end, first.final).max, largest_speed(start));
-    if (event_driven) return velocities;
-    if (check.type == CheckType::moved)
-        for (BodyState& state : end) state.position -= check.value;
-    return std::max(velocities, relative(position_deviation(end, first.final).max, radius));
+    const Vec3 shift = check.type == CheckType::moved ? check.value : Vec3::Zero();
+    return std::max(velocities, relative(largest_distance(end, first.final, shift), radius));
+}
+
+/// Whether the second run is another one than asked for: another `event_hash`, and backwards another number of impacts.
+/// Discrete methods promise neither, but a run without impacts has nothing that could be turned round.
+bool is_other_run(CheckType type, const Outcome& first, const Outcome& second, bool event_driven)
+{
+    if (type != CheckType::reversed) return event_driven && second.event_hash != first.event_hash;
+    return first.counts.impacts == 0 || (event_driven && second.counts.impacts != first.counts.impacts);
 }
 
 }  // namespace
@@ -76,10 +96,9 @@ Repeat repeat_run(const Scene& scene, const Check& check, const Outcome& first, 
     repeat.outcome = simulate(repeated_scene(scene, check, first), options.method,
                               RunOptions{.max_seconds = options.max_seconds}, observer);
     const bool event_driven = std::holds_alternative<EventDriven>(options.method);
-    repeat.other_events = event_driven && check.type != CheckType::reversed &&  // backwards they are others
-                          repeat.outcome.event_hash != first.event_hash;
+    repeat.other_events = is_other_run(check.type, first, repeat.outcome, event_driven);
     repeat.difference = repeat.outcome.status == Status::reached_end && !repeat.other_events
-                            ? difference(scene, check, first, repeat.outcome.final, event_driven)
+                            ? difference(scene, check, first, repeat.outcome.final)
                             : std::numeric_limits<double>::infinity();
     return repeat;
 }

@@ -95,7 +95,7 @@ std::string finding(const Evidence& evidence, Symptom symptom)
     const std::array<std::string, symptom_names.size()> findings{
         "",
         stopped,
-        "the events are not those of the same scene elsewhere",
+        "the events of the repeated run are not those of the first",
         "sank " + two_digits(penetration) + " radii deep",
         "energy off by " + two_digits(energy) + " of the kinetic energy",
         "missed " + std::to_string(missed) + " of " + std::to_string(expected) + " impacts",

@@ -153,4 +153,45 @@ private:
     Real gravity_, fall_, e_, began_, factor_;
 };
 
+/// An elastic sphere in a wedge of planes 0 (level) and 1, seen along y, at the scene's end.
+struct WedgeEnd {
+    ExpectedState state;
+    std::int64_t impacts = 0;
+};
+
+/// Mirrored at each wall that it meets, the path is one straight line through copies of the wedge.
+/// \pre the centre's edge is at the origin: offsets are -radius; the path passes it anticlockwise or clockwise, not
+/// through
+inline WedgeEnd wedge_end(const Scene& scene)
+{
+    const Sphere& sphere = scene.spheres[0];
+    const Vec3& upper = scene.planes[1].normal;
+    const Real angle = std::atan2(Real(upper.x()), -Real(upper.z()));
+    const Real pi = std::acos(Real(-1));
+    const Real x = sphere.position.x(), z = sphere.position.z(), vx = sphere.velocity.x(), vz = sphere.velocity.z();
+    const Real end_x = x + vx * scene.end_time, end_z = z + vz * scene.end_time;
+    const bool anticlockwise = x * vz - z * vx > 0;
+    Real end_angle = std::atan2(end_z, end_x);
+    if (anticlockwise && end_angle < std::atan2(z, x)) end_angle += 2 * pi;
+    if (!anticlockwise && end_angle > std::atan2(z, x)) end_angle -= 2 * pi;
+    const Real copy = std::floor(end_angle / angle);
+    const bool mirrored = std::fmod(copy, Real(2)) != 0;
+    const auto folded = [&](Real a) { return mirrored ? (copy + 1) * angle - a : a - copy * angle; };
+    const auto at = [&](Real radius, Real a) {
+        return Vec3(static_cast<double>(radius * std::cos(a)), 0, static_cast<double>(radius * std::sin(a)));
+    };
+    return {{at(std::hypot(end_x, end_z), folded(end_angle)), at(std::hypot(vx, vz), folded(std::atan2(vz, vx)))},
+            static_cast<std::int64_t>(std::abs(copy))};
+}
+
+/// Way [length] of the upper of two equal spheres from the vertical through their centre of mass, which stays where it
+/// is on a smooth floor: d'' = 2 g d / (r_a + r_b) for their distance d along it, as long as d is small.
+inline Real leaning_way(const Scene& scene, std::size_t lower, std::size_t upper)
+{
+    const Sphere &a = scene.spheres[lower], &b = scene.spheres[upper];
+    const Real start = Real(b.position.x()) - Real(a.position.x());
+    const Real rate = std::sqrt(2 * -Real(scene.gravity.z()) / (Real(a.radius) + Real(b.radius)));
+    return start * std::cosh(rate * scene.end_time) / 2;
+}
+
 }  // namespace carom::test
