@@ -18,9 +18,10 @@ struct ClusterImpact {
 };
 
 /// \pre the cluster is connected and has a contact that closes
-/// \post (for ratios of masses up to 1e12) no contact closes faster than 1e-9 of the largest speed before; momentum of
-/// bodies away from immovable ones is kept; energy is not gained; impulses push, apart from their tangential parts (for
-/// `reflections`; what the other operators promise stands in their headers)
+/// \post (for ratios of masses up to 1e12) no contact closes faster than 1e-9 of the largest speed before, in jammed
+/// sets than 4e-8 (a wedge narrower than 2e-8 is none, see `feasible_if_jammed`); momentum of bodies away from
+/// immovable ones is kept; energy is not gained; impulses push, apart from their tangential parts (for `reflections`;
+/// what the other operators promise stands in their headers)
 ClusterImpact resolve_cluster(const ContactProblem& cluster, const ImpactOptions& options);
 
 }  // namespace carom

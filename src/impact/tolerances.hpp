@@ -2,6 +2,9 @@
 /// The tolerances of impact operators: unit, value, reason. m counts the contacts of a cluster.
 #pragma once
 
+#include "contact/tolerances.hpp"
+#include "projection/tolerances.hpp"
+
 #include <cstddef>
 
 namespace carom {
@@ -11,6 +14,11 @@ namespace carom {
 /// Speed [largest speed] at which contacts may close after it. No derivation: a thousand `closing_tolerance`s, for
 /// tangential impulses come after the operator and a last projection after them.
 inline constexpr double feasible = 1e-9;
+/// The same in a jammed set [largest speed], 4e-8: what projections grant a unit normal p that depends on those of
+/// other closed contacts, p = sum c_j a_j + r with |r| <= `dependent_normal`. Where the others neither open nor close p
+/// closes at |r.u| <= |r||u|, and impulses along r that mend it would change speeds by |r.u| / |r|, all of u: so a
+/// wedge that is so narrow is passed (docs/regimes.md).
+inline constexpr double feasible_if_jammed = missed_by_dependent * projection_tolerance;
 /// Energy [energy before] that rounding may add. No derivation: m impulses round by some m u.
 inline constexpr double energy_rounding = 1e-9;
 /// Ratio of masses [1] beyond which nothing is promised. No derivation: a light body between heavy ones makes contacts

@@ -131,6 +131,34 @@ TEST_CASE("A jammed sphere passes on what it cannot take")
     CHECK((impact.velocities[1] - Vec3(-1, 1, 0)).norm() < rounding);
 }
 
+TEST_CASE("Two spheres between walls do not pass each other where their wedge is wide, and pass where it is none")
+{
+    // The upper one falls with speed 1 on the other, so their contact closes at theta. Once nothing closes faster than
+    // c, its relative speed w is at least -3 c / theta.
+    for (const double theta : {1e-12, 1e-10, 1e-9, 1e-8, 1.9e-8, 1e-6, 1e-5, 1e-3, 0.1}) {
+        for (const double e : {0.0, 0.5, 1.0}) {
+            ContactProblem cluster;
+            cluster.bodies = {{{0, 0, -1}, 1}, {Vec3::Zero(), 1}};
+            cluster.contacts = {{0, 1, Vec3(-1, 0, theta).normalized(), e, 1},
+                                {0, immovable, {1, 0, 0}, e, 1},
+                                {1, immovable, {-1, 0, 0}, e, 1}};
+            const ClusterImpact impact = resolve(cluster);
+            const double w = impact.velocities[0].z() - impact.velocities[1].z();
+            CAPTURE(theta, e, w);
+            CHECK(std::abs(impact.velocities[0].z() + impact.velocities[1].z() + 1) < rounding);
+            double closing = 0;
+            for (const Contact& c : cluster.contacts) closing = std::max(closing, -closing_rate(c, impact.velocities));
+            if (theta < 2e-8) {
+                CHECK(closing < 4e-8);
+                CHECK(closing <= theta * (1 + rounding));
+            } else {
+                CHECK(closing < 1e-9);
+                CHECK(w > -3e-9 / theta);
+            }
+        }
+    }
+}
+
 TEST_CASE("Restitution of a mixture lies between those of its contacts, weighted by their work")
 {
     // Two impacts with planes at right angles, of the same closing speed and different restitution.
