@@ -11,19 +11,23 @@
 /// Guarantee: nothing closes faster than 1e-9 of the largest speed before; impulses push; momentum is kept; energy is
 /// never gained. It ends: where unit normals a_i allow w, |w| = 1, with a_i.w >= delta > 0, each round raises w.u by
 /// 2 delta eps at least while it is bounded by |u|; where they do not, that set is jammed: its bodies cannot move
-/// apart, nor rebound from each other, and it stays closed. Rounds are bounded all the same, by 100 + 10 min(m, 100),
-/// where all e = 1 by a million / m (a light body between two of M times its mass takes some 3 M^(1/2)); beyond, the
-/// response is the inelastic one.
+/// apart, nor rebound from each other, and it stays closed. A light body between two of M times its mass takes some
+/// 3 M^(1/2) rounds: where two contacts close in turn, and no other could, these are taken at once (turns.hpp). Rounds
+/// are bounded all the same, by 100 + 10 min(m, 100), where all e = 1 by a million / m; beyond, the response is the
+/// inelastic one.
 #include "impact/operators.hpp"
 
 #include "contact/contact_problem.hpp"
 #include "impact/jam.hpp"
 #include "impact/tolerances.hpp"
+#include "impact/turns.hpp"
 
 #include "projection/project.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
 
 namespace carom {
 
@@ -77,12 +81,16 @@ private:
         ProjectionProblem at = problem_;
         Rounds out{std::vector<double>(jammed_.size(), 0.0), 0, false, std::vector<char>(jammed_.size(), 0)};
         close_jammed(at, out.impulses);
+        std::array<std::vector<int>, 2> before;  // what closed in the last round and in the one before it
         for (; out.rounds < most; ++out.rounds) {
             const std::vector<int> closing = closing_contacts(at);
             if (closing.empty()) {
                 out.ended = true;
                 break;
             }
+            if (closing == before[1] && closing.size() == 1 && before[0].size() == 1)
+                take_turns(closing.front(), before[0].front(), at, out.impulses);
+            before[1] = std::exchange(before[0], closing);
             const std::vector<double> multipliers = project(at, closing).multipliers;
             for (std::size_t i = 0; i < multipliers.size(); ++i) {
                 if (multipliers[i] == 0) continue;
@@ -93,6 +101,18 @@ private:
             close_jammed(at, out.impulses);
         }
         return out;
+    }
+
+    /// Takes many rounds of two contacts at once, if that many are to come. The next of `first` is due then.
+    void take_turns(int first, int second, ProjectionProblem& at, std::vector<double>& impulses) const
+    {
+        const std::optional<Turns> many = turns(at, first, second, eps_);
+        if (!many) return;
+        for (const auto& [contact, multiplier] : {std::pair{first, many->first}, std::pair{second, many->second}}) {
+            const auto i = static_cast<std::size_t>(contact);
+            impulses[i] += multiplier;
+            push(at.half_spaces[i], at.w, multiplier, at.start);
+        }
     }
 
     std::vector<int> asked(const std::vector<char>& recent) const

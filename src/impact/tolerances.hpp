@@ -48,9 +48,13 @@ inline constexpr std::size_t asked_as_a_whole = 100;
 /// Contacts [1] beyond which a cluster is granted no more rounds: larger ones are no harder, but their rounds cost
 /// more. No derivation.
 inline constexpr std::size_t hardest_cluster = 100;
-/// Contacts times rounds [1] of a cluster where all e = 1, which has nothing to fall back on that keeps its energy. A
-/// light body between two of M times its mass needs some 3 M^(1/2) rounds: ten contacts may have M = 1e9.
+/// Contacts times rounds [1] of a cluster where all e = 1, which has nothing to fall back on that keeps its energy. Light
+/// bodies among those of M times their mass need some 3 M^(1/2) rounds, if more than two contacts close in turn: ten may
+/// have M = 1e9.
 inline constexpr std::size_t elastic_rounds = 1'000'000;
+/// Pairs of rounds [1] of two contacts from which on they are taken at once: a jump takes the time of some ten rounds.
+/// Clusters of bodies of like mass have no such pairs.
+inline constexpr double fewest_turns = 8;
 
 // Rounds of reflections and jacobi.
 

@@ -184,6 +184,30 @@ inline WedgeEnd wedge_end(const Scene& scene)
             static_cast<std::int64_t>(std::abs(copy))};
 }
 
+/// Velocities after the impact of three spheres that touch in a row along x: e times what elastic impacts of two give,
+/// one after the other until nothing closes, and 1 - e times what all have together.
+inline std::array<Real, 3> row_of_three(const Scene& scene)
+{
+    std::array<Real, 3> mass{}, v{};
+    Real momentum = 0, total = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        mass[i] = scene.spheres[i].mass;
+        v[i] = scene.spheres[i].velocity.x();
+        momentum += mass[i] * v[i];
+        total += mass[i];
+    }
+    while (v[0] > v[1] || v[1] > v[2])
+        for (std::size_t a = 0; a < 2; ++a) {
+            if (!(v[a] > v[a + 1])) continue;
+            const Real impulse = 2 * mass[a] * mass[a + 1] / (mass[a] + mass[a + 1]) * (v[a] - v[a + 1]);
+            v[a] -= impulse / mass[a];
+            v[a + 1] += impulse / mass[a + 1];
+        }
+    const Real e = scene.materials[static_cast<std::size_t>(scene.spheres[0].material)].restitution;
+    for (Real& each : v) each = e * each + (1 - e) * momentum / total;
+    return v;
+}
+
 /// Way [length] of the upper of two equal spheres from the vertical through their centre of mass, which stays where it
 /// is on a smooth floor: d'' = 2 g d / (r_a + r_b) for their distance d along it, as long as d is small.
 inline Real leaning_way(const Scene& scene, std::size_t lower, std::size_t upper)
