@@ -59,6 +59,8 @@ public:
     {
         return {with_first, (with_sum - beyond_ * with_first) / sine_};
     }
+    /// Multipliers of the two unit normals whose sum has these coordinates.
+    Turns multipliers(const InPlane& x) const { return {x.p - cosine() * x.q / sine_, x.q / sine_}; }
     const UnitVectors& sum() const { return sum_; }
 
 private:
@@ -87,6 +89,19 @@ bool keeps_others_open(const ProjectionProblem& at, std::span<const UnitNormal> 
     return true;
 }
 
+/// Square of the length, in the metric, that multipliers of unit normals add to the vectors.
+double energy_gained(const ProjectionProblem& at, std::size_t i, std::size_t j, std::span<const UnitNormal> normals,
+                     const Turns& multipliers)
+{
+    std::vector<Vec3> after = at.start;
+    push(at.half_spaces[i], at.w, multipliers.first / normals[i].length, after);
+    push(at.half_spaces[j], at.w, multipliers.second / normals[j].length, after);
+    double gained = 0;
+    for (std::size_t k = 0; k < after.size(); ++k)
+        gained += (after[k] - at.start[k]).dot(after[k] + at.start[k]) / at.w[k];
+    return gained;
+}
+
 }  // namespace
 
 std::optional<Turns> turns(const ProjectionProblem& at, int first, int second, double closing)
@@ -109,9 +124,14 @@ std::optional<Turns> turns(const ProjectionProblem& at, int first, int second, d
             taken += each;
         }
     if (taken < fewest_turns || !keeps_others_open(at, normals, i, j, plane, before, closing)) return std::nullopt;
-    const double multiplier_j = (now.q - before.q) / plane.sine();
-    const double multiplier_i = now.p - before.p - plane.cosine() * multiplier_j;
-    return Turns{multiplier_i / normals[i].length, multiplier_j / normals[j].length};
+    Turns out = plane.multipliers({now.p - before.p, now.q - before.q});
+    // The coordinate q is known to u / sine of the first rate only, and lengths must be kept to rounding: what the new
+    // velocities have too much is taken from q, which is nearly all that is left of them in the plane.
+    const double gained = energy_gained(at, i, j, normals, out);
+    const Turns mend = plane.multipliers({0, -gained / (2 * now.q)});
+    out.first = (out.first + mend.first) / normals[i].length;
+    out.second = (out.second + mend.second) / normals[j].length;
+    return out;
 }
 
 }  // namespace carom
