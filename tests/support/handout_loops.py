@@ -17,8 +17,11 @@ import json
 import math
 import sys
 
-KEYS = {"format", "name", "description", "gravity", "end_time", "materials", "contacts", "spheres", "planes", "box"}
-SPHERE_KEYS = {"id", "radius", "mass", "position", "velocity", "fixed", "material"}
+KEYS = {"format", "gravity", "materials", "contacts", "spheres", "planes", "box"}
+# Keys that say nothing to a loop: words, ends and options of commands, and the impacts and rest of the event-driven method.
+SILENT_KEYS = {"$schema", "name", "description", "units", "end_time", "seed", "start_time", "checks", "stress", "run", "compare", "tunnel", "view",
+               "impact", "rest", "guard"}
+SPHERE_KEYS = {"id", "radius", "mass", "position", "velocity", "fixed", "material", "color"}
 PLANE_KEYS = {"id", "normal", "offset", "point", "material"}
 CONTACT_KEYS = {"between", "restitution", "tangential"}
 STEPS = 192
@@ -189,7 +192,7 @@ def walls_of(scene, number):
 
 class Bodies:
     def __init__(self, scene, number=float):
-        known(scene, KEYS)
+        known(scene, KEYS | SILENT_KEYS)
         for given in scene["spheres"]:
             known(given, SPHERE_KEYS)
         self.gravity = [number(x) for x in scene.get("gravity", [0, 0, 0])]

@@ -77,8 +77,8 @@ def compare(carom, loops, truth):
             difference = largest(carom_states(carom, path, method, STEPS), states)
             rounding = largest(loops.run(scene, method, STEPS, 1 / STEPS_A_UNIT, decimal.Decimal), states)
             good = difference <= TOLERANCE
-            print(f"{path.stem:13} {method:8}  largest difference {difference:.1e}   by rounding {rounding:.1e}   {'agrees' if good else 'DISAGREES'}",
-                  flush=True)
+            verdict = "agrees" if good else "DISAGREES"
+            print(f"{path.stem:13} {method:8}  largest difference {difference:.1e}   by rounding {rounding:.1e}   {verdict}", flush=True)
             if not good:
                 tell_first_step(carom, path, method, loops)
             if not rounding <= MOST_ROUNDING:
