@@ -53,7 +53,6 @@ private:
     /// would be reached if nothing held; bodies nearly in contact join.
     void collect(BodyId first, std::size_t enough = std::numeric_limits<std::size_t>::max())
     {
-        constexpr double near = 1e-3;  // of the smaller radius
         std::map<BodyId, Flight> members{{first, moment_.flight(first)}};
         std::vector<BodyId> frontier{first};
         std::vector<FoundContact> contacts;
@@ -64,15 +63,15 @@ private:
             const Flight own = members.at(body);
             for (int p = 0; p < state_.planes(); ++p) {
                 const Contact c = measured(state_, body, own, Partner::plane(p), nullptr);
-                if (may_close(c, own.velocity + length_ * gravity_, near * state_.radius(body)))
+                if (may_close(c, own.velocity + length_ * gravity_, near_contact * state_.radius(body)))
                     contacts.push_back({body, c});
             }
             for (const BodyId other : neighbourhood_(body)) {
-                if (!may_touch(state_, body, own, other, near * state_.radius(body))) continue;
+                if (!may_touch(state_, body, own, other, near_contact * state_.radius(body))) continue;
                 const auto pair = std::minmax(body, other);
                 if (found.contains(pair)) continue;
                 const Flight its = moment_.flight(other);
-                const double margin = near * std::min(state_.radius(body), state_.radius(other));
+                const double margin = near_contact * std::min(state_.radius(body), state_.radius(other));
                 const bool fixed = state_.is_fixed(other);
                 const bool ordered = fixed || body < other;
                 const Contact c = ordered ? measured(state_, body, own, Partner::sphere(other), &its)

@@ -14,6 +14,13 @@ inline constexpr double rest_height = 16 * unit_roundoff;
 /// Normal speed [|v|] that is none: twice its rounding.
 inline constexpr double no_normal_speed = 2 * normal_speed_rounding;
 
+// A sphere alone on a fixed one.
+
+/// Bounces [1 / (1 - e)] that are to come at most: e^k = u^2.3, from the fastest to where rounding ends them.
+inline constexpr double bounces_of_rounding = 37;
+/// Bounces [1] beyond which thresholds end them: some 1 s of computing.
+inline constexpr double most_bounces = 1e6;
+
 // Numeric steps.
 
 /// Disagreement [smallest radius] of the middle stages of a step, as a distance, see NumericCluster: a ball that rolls

@@ -3,7 +3,7 @@
 /// for both number types of a run.
 #pragma once
 
-#include "motion/relative.hpp"
+#include "motion/low_return.hpp"
 #include "toi/enclosure.hpp"
 #include "toi/sphere_plane.hpp"
 #include "toi/sphere_sphere.hpp"
@@ -99,7 +99,8 @@ ContactTime PlainKinematics<gravity>::pair_time(const State& state, BodyId a, Bo
         // Quartics are dear: first what may spare them.
         const bool quartic = m.acceleration_a != m.acceleration_b;
         if (quartic && (persists() || meet_too_late(state, a, b, m, limit))) return {};
-        const Root root = pair_root(state, m);
+        const std::optional<double> low = quartic ? low_return(state, a, b, m) : std::nullopt;
+        const Root root = low ? Root{RootKind::impact, *low, 0} : pair_root(state, m);
         if (root.kind == RootKind::none || (!quartic && persists())) return {};
         return {true, time_up_to(state.frame, m.from, root.t, limit), false, m.swept};
     }
