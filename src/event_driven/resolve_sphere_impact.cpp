@@ -5,7 +5,6 @@
 #include "hold/rest_policy.hpp"
 #include "hold/support.hpp"
 #include "impact/pair_law.hpp"
-#include "math/length.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +35,12 @@ bool is_low_return(const State& state, const Key& key)
 
 /// Puts such a sphere into contact again, for the time of its next return does not mend the rounding of its place. (In
 /// certified runs there is none. Coordinates along which it does not move keep their bits.)
-void put_in_contact(const State& state, Change& a, Change& b, const Vec3& normal)
+void put_in_contact(const State& state, Change& a, Change& b, const SphereEncounter& encounter)
 {
-    const double gap =
-        length(separation(state.frame, a.flight.place, b.flight.place)) - (state.radius(a.body) + state.radius(b.body));
     const bool a_is_fixed = state.is_fixed(a.body);
     Change& sphere = a_is_fixed ? b : a;
     const Flight& before = state.flight(sphere.body);
-    Vec3 way = (a_is_fixed ? gap : -gap) * normal;
+    Vec3 way = (a_is_fixed ? encounter.gap() : -encounter.gap()) * encounter.normal();
     for (int k = 0; k < 3; ++k)
         if (before.velocity[k] == 0 && state.acceleration(before)[k] == 0) way[k] = 0;
     Place& place = sphere.flight.place;
@@ -59,7 +56,7 @@ bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourho
     Change& change_a = add_change(state, id_a, key.time, out);
     Change& change_b = add_change(state, id_b, key.time, out);
     Flight &a = change_a.flight, &b = change_b.flight;
-    const Encounter encounter(state, a, id_a, &b, key.b);
+    const SphereEncounter encounter(state, a, id_a, b, id_b);
     const Vec3& normal = encounter.normal();
     const double inverse_a = state.inverse_mass(id_a), inverse_b = state.inverse_mass(id_b);
     const ContactLaw& law = state.law(id_a, key.b);
@@ -95,7 +92,7 @@ bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourho
         a.velocity += (nudge * reduced_mass * inverse_a) * normal;
         b.velocity -= (nudge * reduced_mass * inverse_b) * normal;
     }
-    if (returns && !state.certified()) put_in_contact(state, change_a, change_b, normal);
+    if (returns && !state.certified()) put_in_contact(state, change_a, change_b, encounter);
     std::erase_if(out.changes, [&](const Change& change) { return state.is_fixed(change.body); });
     return true;
 }

@@ -33,9 +33,8 @@ bool closed_contact(const State& state, const Flight& a, BodyId id, int plane)
 Enclosure<DoubleDouble> ContactInstant::wait_for(BodyId body, Partner other) const
 {
     const Flight a = flown(state_, body, contact_.time);
-    if (other.is_plane()) return wait(state_, a, body, nullptr, other);
-    const Flight b = flown(state_, other.index, contact_.time);
-    return wait(state_, a, body, &b, other);
+    if (other.is_plane()) return wait(state_, a, body, other.index);
+    return wait(state_, a, body, flown(state_, other.index, contact_.time), other.index);
 }
 
 bool ContactInstant::is_that_of(BodyId body, Partner other) const

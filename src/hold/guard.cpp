@@ -62,7 +62,7 @@ private:
             frontier.pop_back();
             const Flight own = members.at(body);
             for (int p = 0; p < state_.planes(); ++p) {
-                const Contact c = measured(state_, body, own, Partner::plane(p), nullptr);
+                const Contact c = plane_contact(state_, body, own, p);
                 if (may_close(c, own.velocity + length_ * gravity_, near_contact * state_.radius(body)))
                     contacts.push_back({body, c});
             }
@@ -74,8 +74,8 @@ private:
                 const double margin = near_contact * std::min(state_.radius(body), state_.radius(other));
                 const bool fixed = state_.is_fixed(other);
                 const bool ordered = fixed || body < other;
-                const Contact c = ordered ? measured(state_, body, own, Partner::sphere(other), &its)
-                                          : measured(state_, other, its, Partner::sphere(body), &own);
+                const Contact c = ordered ? sphere_contact(state_, body, own, other, its)
+                                          : sphere_contact(state_, other, its, body, own);
                 if (c.gap > margin) continue;
                 found.insert(pair);
                 contacts.push_back({ordered ? body : other, c});

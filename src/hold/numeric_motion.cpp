@@ -88,9 +88,10 @@ EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& e
     for (int i = 0; i < most_contact_steps; ++i) {
         const EpochTime time = state.frame.after(earliest, t);
         const Flight a = flight_within_step(state, key.a, time);
-        const Flight b = sphere ? flight_within_step(state, key.b.index, time) : Flight{};
-        const Contact contact = measured(state, key.a, a, key.b, sphere ? &b : nullptr);
-        const double rate = contact.normal.dot(sphere ? Vec3(a.velocity - b.velocity) : a.velocity);
+        const Flight b = sphere ? flight_within_step(state, key.b.index, time) : Flight{};  // a plane stands still
+        const Contact contact =
+            sphere ? sphere_contact(state, key.a, a, key.b.index, b) : plane_contact(state, key.a, a, key.b.index);
+        const double rate = contact.normal.dot(a.velocity - b.velocity);
         if (i == 0 && !(contact.gap < 0)) return key.time;
         if (i == 0 && !(rate < 0)) return key.time;
         // What opens is the end of an earlier contact.
