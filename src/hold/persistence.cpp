@@ -137,9 +137,7 @@ void Persistence::equalise(const std::vector<char>& which, const std::vector<dou
 
 double Persistence::kinetic_energy() const
 {
-    double sum = 0;
-    for (const ContactBody& body : problem().bodies) sum += body.velocity.squaredNorm() / 2 / body.inverse_mass;
-    return sum;
+    return carom::kinetic_energy(problem(), velocities_before(problem()));
 }
 
 /// The component with some of its contacts.
