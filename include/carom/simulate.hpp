@@ -62,9 +62,10 @@ struct Observer {
 
 /// Work done, machine independent. A method leaves at 0 what it does not have.
 struct Counts {
-    std::int64_t impacts = 0;   ///< contacts that got an impulse (an instant may have several impacts of a pair)
-    std::int64_t clusters = 0;  ///< instants at which several contacts were resolved together
-    std::int64_t capped = 0;    ///< those of them whose operator met its bound: they were inelastic instead
+    std::int64_t impacts = 0;      ///< contacts that got an impulse (an instant may have several impacts of a pair)
+    std::int64_t clusters = 0;     ///< instants at which several contacts were resolved together
+    std::int64_t capped = 0;       ///< those of them whose operator met its bound: they were inelastic instead
+    std::int64_t early_rests = 0;  ///< see EarlyRest
     std::int64_t rests = 0, releases = 0, guarded = 0, settles = 0;
     std::int64_t cell_crossings = 0, list_rebuilds = 0;
     std::int64_t stale = 0;          ///< scheduled events that were out of date when their turn came
@@ -84,6 +85,12 @@ struct EnergyTaken {
     double capped = 0;       ///< impacts whose operator met its bound, with what e < 1 takes
 };
 
+/// A sphere alone on another one that a threshold brought to rest, for more than a million bounces were to come.
+struct EarlyRest {
+    BodyId body = no_body;
+    double time = 0;  ///< by which it rests too early, at most [time]
+};
+
 /// Time spent by all moving bodies together [time].
 struct BodyTimes {
     double closed_form = 0;  ///< flights, series, slides and rests
@@ -101,6 +108,7 @@ struct Outcome {
     std::vector<std::optional<double>> rest_times;  ///< per sphere: when its normal motion ended, if it did [time]
     std::vector<double> plane_impulses;  ///< per plane: normal impulse taken, resting included [mass length/time]
     EnergyTaken energy_taken;
+    std::optional<EarlyRest> early_rest;  ///< the one of them with the longest time
     BodyTimes body_seconds;
     double max_penetration = 0;  ///< event: at impacts; discrete: at the end of each substep before correction [length]
     std::uint64_t event_hash = 0;  ///< event-driven runs only

@@ -34,8 +34,8 @@ void add_rest_times(const Scene& scene, const Outcome& outcome, Lines& lines)
     if (listed > most_listed_bodies) lines.push_back({"", fmt::format("and {} more", listed - most_listed_bodies)});
 }
 
-/// Shares of motion without closed form, and the energy that thresholds took; no line where there is none of it.
-void add_thresholds(const Outcome& outcome, Lines& lines)
+/// Shares of motion without closed form, and the energy and the time that thresholds took; no line where there is none.
+void add_thresholds(const Scene& scene, const Outcome& outcome, Lines& lines)
 {
     const BodyTimes& times = outcome.body_seconds;
     const double all = times.closed_form + times.numeric + times.guarded;
@@ -48,6 +48,12 @@ void add_thresholds(const Outcome& outcome, Lines& lines)
     if (outcome.counts.guarded > 0)
         lines.push_back({"guarded", fmt::format("{} windows, {:.3g} % of all body-seconds", outcome.counts.guarded,
                                                 100 * times.guarded / all)});
+    if (outcome.early_rest)
+        lines.push_back(
+            {"early rest", fmt::format("{} times a sphere alone on another, whose bounces would be too many; {} by {} "
+                                       "at most",
+                                       outcome.counts.early_rests, scene.body_name(outcome.early_rest->body),
+                                       with_unit(outcome.early_rest->time, scene.units.time))});
     const EnergyTaken& taken = outcome.energy_taken;
     std::string text;
     for (const auto& [name, energy] : {std::pair{"slow closings", taken.closing},
@@ -173,7 +179,7 @@ std::string run_table(const Scene& scene, const RunStudy& run, const io::Command
         lines.push_back({"clusters", fmt::format("impacts of several contacts at {} instants", counts.clusters)});
     lines.push_back({"rests", fmt::format("{}", counts.rests)});
     if (counts.releases > 0) lines.push_back({"releases", fmt::format("{}", counts.releases)});
-    add_thresholds(outcome, lines);
+    add_thresholds(scene, outcome, lines);
     add_rest_times(scene, outcome, lines);
     lines.push_back({"energy", fmt::format("{:.10g} -> {:.10g}", run.initial_energy, run.final_energy)});
     lines.push_back({"energy drift", drift_text(run)});

@@ -3,17 +3,15 @@
 #include "contact/contact_problem.hpp"
 
 #include "core/expect.hpp"
-#include "projection/project.hpp"
 
 #include <algorithm>
 
 namespace carom {
 
-ContactForces solve_contact_forces(const ContactProblem& cluster, std::span<const double> curvature,
-                                   std::span<const double> guess)
+ContactForces solve_contact_forces(const ContactProblem& cluster, std::span<const double> curvature, Guess guess)
 {
     CAROM_EXPECT(curvature.size() == cluster.contacts.size());
-    CAROM_EXPECT(guess.empty() || guess.size() == cluster.contacts.size());
+    CAROM_EXPECT(!guess || guess->size() == cluster.contacts.size());
     ProjectionProblem problem = projection_problem(cluster);
     double scale = largest_speed(problem.start);
     for (std::size_t i = 0; i < curvature.size(); ++i) {

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "contact/contact.hpp"
-
-#include <span>
+#include "projection/project.hpp"
 
 namespace carom {
 
@@ -19,9 +18,8 @@ struct ContactForces {
 /// accelerations are unique, forces need not be.
 /// \param curvature by contact: |w_t|^2 / (r_a + r_b) of two spheres with tangential relative velocity w_t, 0 at
 /// planes, >= 0 [length/time^2]
-/// \param guess forces by contact from which to begin, such as those of a moment ago, or empty: saves time where there
-/// are many contacts, and changes nothing beyond rounding
-ContactForces solve_contact_forces(const ContactProblem& cluster, std::span<const double> curvature,
-                                   std::span<const double> guess = {});
+/// \param guess forces by contact from which to begin, such as those of a moment ago: saves time where there are many
+/// contacts, and changes nothing beyond rounding
+ContactForces solve_contact_forces(const ContactProblem& cluster, std::span<const double> curvature, Guess guess = {});
 
 }  // namespace carom

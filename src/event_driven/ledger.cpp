@@ -97,6 +97,9 @@ void Ledger::add(const EventOutcome& outcome)
     out.energy_taken.stabilising += outcome.taken.stabilising;
     out.energy_taken.guard += outcome.taken.guard;
     out.energy_taken.capped += outcome.taken.capped;
+    if (!outcome.early_rest) return;
+    ++out.counts.early_rests;
+    if (!out.early_rest || out.early_rest->time < outcome.early_rest->time) out.early_rest = outcome.early_rest;
 }
 
 void Ledger::account_for_forces(const State& state, BodyId body, const EpochTime& now)

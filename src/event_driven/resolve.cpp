@@ -71,7 +71,9 @@ bool resolve(const State& state, const Key& key, const Neighbourhood& neighbourh
         case Scheduled::nothing:
             CAROM_EXPECT(false);
     }
+    const std::optional<EarlyRest> early_rest = out.early_rest;
     out.clear();
+    out.early_rest = early_rest;
     resolve_component(state, key, neighbourhood, out);
     return false;
 }

@@ -33,7 +33,7 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
     const int plane = key.b.index;
     Change& change = add_change(state, id, key.time, out);
     Flight& f = change.flight;
-    const Encounter encounter(state, f, id, nullptr, key.b);
+    const PlaneEncounter encounter(state, f, id, plane);
     const Vec3& normal = encounter.normal();
     const ContactLaw& plain = state.law(id, key.b);
     if (is_coupled(state, key, plain, f, normal, neighbourhood)) return false;

@@ -171,15 +171,15 @@ private:
             state_.bodies.set_forces(change.body, change.contacts);
         }
         ledger_.add(outcome);
-        for (const Event& event : outcome.events) record(event);
+        for (const Event& event : outcome.events) record(event, outcome.dies_out);
     }
 
-    void record(const Event& event)
+    void record(const Event& event, bool dies_out)
     {
         if (state_.loses_energy && event.kind == EventKind::impact &&
             state_.law(event.a, state_.partner_of(event.b)).restitution < 1) {
             state_.recent.add(event.a, event.b, now_);
-            hit_.push_back(state_.is_fixed(event.a) ? event.b : event.a);
+            if (!dies_out) hit_.push_back(state_.is_fixed(event.a) ? event.b : event.a);
         }
         ledger_.record(state_, now_, event);
     }

@@ -17,6 +17,19 @@ namespace carom {
 
 namespace {
 
+/// A contact with the law of its materials.
+Contact lawful(const State& state, BodyId a, Partner b, const Vec3& normal, double gap)
+{
+    const ContactLaw& law = state.law(a, b);
+    Contact out;
+    out.normal = normal;
+    out.restitution = law.restitution;
+    out.tangential = law.tangential;
+    out.partner = b;
+    out.gap = gap;
+    return out;
+}
+
 /// Walks along closed contacts, from body to body.
 class Walk {
 public:
@@ -82,7 +95,8 @@ private:
 
     Contact closed(BodyId a, Partner b)
     {
-        Contact out = measured(state_, a, flight(a), b, b.is_sphere() ? &flight(b.index) : nullptr);
+        Contact out = b.is_plane() ? plane_contact(state_, a, flight(a), b.index)
+                                   : sphere_contact(state_, a, flight(a), b.index, flight(b.index));
         const auto* leaning = state_.bodies.as<Leaning>(a);
         out.persistent =
             (state_.bodies.contacts().between(a, b) && !is_guarded(a) && !(b.is_sphere() && is_guarded(b.index))) ||
@@ -155,12 +169,13 @@ private:
 std::vector<FoundContact> declared_contacts(const State& state)
 {
     std::vector<FoundContact> found;
-    const auto look = [&](BodyId a, Partner b, const Flight* fb) {
-        const Contact contact = measured(state, a, state.flight(a), b, fb);
-        if (std::abs(contact.gap) <= declared_contact * state.smaller_radius(a, b)) found.push_back({a, contact});
+    const auto look = [&](BodyId a, const Contact& contact) {
+        if (std::abs(contact.gap) <= declared_contact * state.smaller_radius(a, contact.partner))
+            found.push_back({a, contact});
     };
     for (BodyId a = 0; a < state.count(); ++a)
-        for (int p = 0; p < state.planes() && !state.is_fixed(a); ++p) look(a, Partner::plane(p), nullptr);
+        for (int p = 0; p < state.planes() && !state.is_fixed(a); ++p)
+            look(a, plane_contact(state, a, state.flight(a), p));
     std::vector<double> radii;
     for (const Sphere& s : state.scene.spheres) radii.push_back(s.radius);
     SphereGrid grid;
@@ -170,7 +185,7 @@ std::vector<FoundContact> declared_contacts(const State& state)
             auto a = std::min(own, static_cast<BodyId>(j)), b = std::max(own, static_cast<BodyId>(j));
             if (state.is_fixed(a) && state.is_fixed(b)) return true;
             if (state.is_fixed(a)) std::swap(a, b);
-            look(a, Partner::sphere(b), &state.flight(b));
+            look(a, sphere_contact(state, a, state.flight(a), b, state.flight(b)));
             return true;
         });
         grid.insert(i, state.scene.spheres[i].position, radii[i]);
@@ -242,23 +257,17 @@ std::vector<ContactComponent> declared_components(const State& state)
     return out;
 }
 
-Contact measured(const State& state, BodyId a, const Flight& fa, Partner b, const Flight* fb)
+Contact sphere_contact(const State& state, BodyId a, const Flight& fa, BodyId b, const Flight& fb)
 {
-    const ContactLaw& law = state.law(a, b);
-    Contact out;
-    out.restitution = law.restitution;
-    out.tangential = law.tangential;
-    out.partner = b;
-    if (b.is_plane()) {
-        out.normal = facing_normal(state, b.index, fa.place);
-        out.gap = height_above(state, a, b.index, fa.place);
-        return out;
-    }
-    const Vec3 r = separation(state.frame, fa.place, fb->place);
+    const Vec3 r = separation(state.frame, fa.place, fb.place);
     const double distance = std::sqrt(r.squaredNorm());
-    out.normal = r / distance;
-    out.gap = distance - (state.radius(a) + state.radius(b.index));
-    return out;
+    return lawful(state, a, Partner::sphere(b), r / distance, distance - (state.radius(a) + state.radius(b)));
+}
+
+Contact plane_contact(const State& state, BodyId a, const Flight& fa, int plane)
+{
+    return lawful(state, a, Partner::plane(plane), facing_normal(state, plane, fa.place),
+                  height_above(state, a, plane, fa.place));
 }
 
 }  // namespace carom

@@ -30,8 +30,9 @@ ContactComponent gather(const State& state, const Key& contact, const Neighbourh
 std::vector<ContactComponent> declared_components(const State& state);
 
 /// Normal, gap and law of two bodies, of which `a` can move, at flights of one instant. The contact's indices of bodies
-/// in a problem are left open. \param fb null for a plane
-Contact measured(const State& state, BodyId a, const Flight& fa, Partner b, const Flight* fb);
+/// in a problem are left open.
+Contact sphere_contact(const State& state, BodyId a, const Flight& fa, BodyId b, const Flight& fb);
+Contact plane_contact(const State& state, BodyId a, const Flight& fa, int plane);
 
 /// A contact as it was found, by the bodies' ids.
 struct FoundContact {

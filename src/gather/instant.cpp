@@ -33,9 +33,8 @@ bool closed_contact(const State& state, const Flight& a, BodyId id, int plane)
 Enclosure<DoubleDouble> ContactInstant::wait_for(BodyId body, Partner other) const
 {
     const Flight a = flown(state_, body, contact_.time);
-    if (other.is_plane()) return wait(state_, a, body, nullptr, other);
-    const Flight b = flown(state_, other.index, contact_.time);
-    return wait(state_, a, body, &b, other);
+    if (other.is_plane()) return wait(state_, a, body, other.index);
+    return wait(state_, a, body, flown(state_, other.index, contact_.time), other.index);
 }
 
 bool ContactInstant::is_that_of(BodyId body, Partner other) const
@@ -65,6 +64,22 @@ bool other_closed(const State& state, const ContactInstant& instant, const Fligh
             return true;
     }
     return false;
+}
+
+bool is_apart(const State& state, const Flight& now, BodyId body, Partner partner, const Neighbourhood& neighbourhood)
+{
+    if (state.is_fixed(body)) return true;
+    if (state.bodies.kind(body) != MotionKind::flying) return false;
+    const double margin = near_contact * state.radius(body);
+    for (int p = 0; p < state.planes(); ++p)
+        if (height_above(state, body, p, now.place) <= margin) return false;
+    for (const BodyId other : neighbourhood(body)) {
+        if (partner == Partner::sphere(other) || !may_touch(state, body, now, other, margin)) continue;
+        const Flight its = advanced(state, other, now.start);
+        const double reach = state.radius(body) + state.radius(other) + margin;
+        if (separation(state.frame, now.place, its.place).squaredNorm() <= reach * reach) return false;
+    }
+    return true;
 }
 
 bool belongs_to_previous_instant(const State& state, const Key& key)

@@ -28,6 +28,9 @@ private:
 bool other_closed(const State& state, const ContactInstant& instant, const Flight& now, BodyId body, Partner partner,
                   const Neighbourhood& neighbourhood);
 
+/// Whether a sphere flies, or is fixed, and nothing but `partner` is near it. \param now as above
+bool is_apart(const State& state, const Flight& now, BodyId body, Partner partner, const Neighbourhood& neighbourhood);
+
 /// Whether the contact of this event was already closed, and closing, when the later of its flights began at an impact:
 /// then it belonged to that impact.
 bool belongs_to_previous_instant(const State& state, const Key& key);

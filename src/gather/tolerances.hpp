@@ -11,4 +11,8 @@ inline constexpr double look_slack = 1.00005;
 /// No derivation.
 inline constexpr double look_slack_in_pieces = 1.001;
 
+/// Gap [smaller radius] up to which bodies are near each other: what accumulates between them is that of all. No
+/// derivation.
+inline constexpr double near_contact = 1e-3;
+
 }  // namespace carom

@@ -53,7 +53,6 @@ private:
     /// would be reached if nothing held; bodies nearly in contact join.
     void collect(BodyId first, std::size_t enough = std::numeric_limits<std::size_t>::max())
     {
-        constexpr double near = 1e-3;  // of the smaller radius
         std::map<BodyId, Flight> members{{first, moment_.flight(first)}};
         std::vector<BodyId> frontier{first};
         std::vector<FoundContact> contacts;
@@ -63,20 +62,20 @@ private:
             frontier.pop_back();
             const Flight own = members.at(body);
             for (int p = 0; p < state_.planes(); ++p) {
-                const Contact c = measured(state_, body, own, Partner::plane(p), nullptr);
-                if (may_close(c, own.velocity + length_ * gravity_, near * state_.radius(body)))
+                const Contact c = plane_contact(state_, body, own, p);
+                if (may_close(c, own.velocity + length_ * gravity_, near_contact * state_.radius(body)))
                     contacts.push_back({body, c});
             }
             for (const BodyId other : neighbourhood_(body)) {
-                if (!may_touch(state_, body, own, other, near * state_.radius(body))) continue;
+                if (!may_touch(state_, body, own, other, near_contact * state_.radius(body))) continue;
                 const auto pair = std::minmax(body, other);
                 if (found.contains(pair)) continue;
                 const Flight its = moment_.flight(other);
-                const double margin = near * std::min(state_.radius(body), state_.radius(other));
+                const double margin = near_contact * std::min(state_.radius(body), state_.radius(other));
                 const bool fixed = state_.is_fixed(other);
                 const bool ordered = fixed || body < other;
-                const Contact c = ordered ? measured(state_, body, own, Partner::sphere(other), &its)
-                                          : measured(state_, other, its, Partner::sphere(body), &own);
+                const Contact c = ordered ? sphere_contact(state_, body, own, other, its)
+                                          : sphere_contact(state_, other, its, body, own);
                 if (c.gap > margin) continue;
                 found.insert(pair);
                 contacts.push_back({ordered ? body : other, c});

@@ -4,8 +4,8 @@
 #include "hold/numeric_motion.hpp"
 #include "hold/persistence.hpp"
 #include "hold/support.hpp"
+#include "hold/tolerances.hpp"
 #include "math/length.hpp"
-#include "motion/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +120,7 @@ private:
             wanted.push_back(-c.gap);
             widest = std::max(widest, std::abs(c.gap));
         }
-        if (!(widest > 1e-3 * state_.rest.gap_tolerance)) return;
+        if (!(widest > narrow_gap * state_.rest.gap_tolerance)) return;
         const std::vector<Vec3> change = equalising_change(numeric, wanted).change;
         for (const std::size_t k : staying)
             if (number[k]) shift_[k] = change[static_cast<std::size_t>(*number[k])];

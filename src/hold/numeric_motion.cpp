@@ -22,39 +22,30 @@ NumericContact numeric_contact(const State& state, const ContactComponent& compo
     const auto place = [&](std::size_t body) { return separation(state.frame, component.flights[body].place, centre); };
     NumericContact out;
     out.a = number[a] ? *number[a] : *number_b;
-    out.b = number[a] ? number_b : immovable;
     if (contact.partner.is_plane()) {
-        out.plane = true;
-        out.centre = contact.normal / std::sqrt(contact.normal.squaredNorm());
-        out.reach = out.centre.dot(place(a)) - contact.gap;
+        const Vec3 normal = contact.normal / std::sqrt(contact.normal.squaredNorm());
+        out.partner = FixedPlane{normal};
+        out.reach = normal.dot(place(a)) - contact.gap;
         return out;
     }
     out.reach = state.radius(component.id_of_a(contact)) + state.radius(contact.partner.index);
-    if (out.b) return out;
-    if (!number[a])
-        out.centre = place(a);
-    else if (contact.b)
-        out.centre = place(static_cast<std::size_t>(*contact.b));
+    if (number[a] && number_b)
+        out.partner = MovingSphere{*number_b};
+    else if (const std::optional<int> other = number[a] ? contact.b : contact.a)
+        out.partner = FixedSphere{place(static_cast<std::size_t>(*other))};
     else
-        out.centre = separation(state.frame, state.flight(contact.partner.index).place, centre);
+        out.partner = FixedSphere{separation(state.frame, state.flight(contact.partner.index).place, centre)};
     return out;
 }
 
 /// Largest overlap of the parabolas after a time.
 double depth(const NumericCluster& cluster, const std::vector<Vec3>& accelerations, double time)
 {
-    const auto at = [&](int body) {
-        const auto k = static_cast<std::size_t>(body);
-        const NumericBody& b = cluster.bodies[k];
-        return Vec3(b.position + displacement(b.velocity, accelerations[k], time));
-    };
+    std::vector<NumericBody> bodies = cluster.bodies;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        bodies[k].position += displacement(bodies[k].velocity, accelerations[k], time);
     double deepest = 0;
-    for (const NumericContact& c : cluster.contacts) {
-        const Vec3 a = at(c.a);
-        const Vec3 r = a - (c.plane ? Vec3::Zero() : c.b ? at(*c.b) : c.centre);
-        const double gap = c.plane ? c.centre.dot(r) - c.reach : std::sqrt(r.squaredNorm()) - c.reach;
-        deepest = std::max(deepest, -gap);
-    }
+    for (const NumericContact& c : cluster.contacts) deepest = std::max(deepest, -c.gap(bodies));
     return deepest;
 }
 
@@ -88,9 +79,10 @@ EpochTime time_of_contact(const State& state, const Key& key, const EpochTime& e
     for (int i = 0; i < most_contact_steps; ++i) {
         const EpochTime time = state.frame.after(earliest, t);
         const Flight a = flight_within_step(state, key.a, time);
-        const Flight b = sphere ? flight_within_step(state, key.b.index, time) : Flight{};
-        const Contact contact = measured(state, key.a, a, key.b, sphere ? &b : nullptr);
-        const double rate = contact.normal.dot(sphere ? Vec3(a.velocity - b.velocity) : a.velocity);
+        const Flight b = sphere ? flight_within_step(state, key.b.index, time) : Flight{};  // a plane stands still
+        const Contact contact =
+            sphere ? sphere_contact(state, key.a, a, key.b.index, b) : plane_contact(state, key.a, a, key.b.index);
+        const double rate = contact.normal.dot(a.velocity - b.velocity);
         if (i == 0 && !(contact.gap < 0)) return key.time;
         if (i == 0 && !(rate < 0)) return key.time;
         // What opens is the end of an earlier contact.

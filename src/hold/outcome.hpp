@@ -24,6 +24,8 @@ struct EventOutcome {
     std::int64_t numeric_steps = 0;
     bool clustered = false;  ///< impacts of several contacts were resolved together
     bool capped = false;     ///< see ClusterImpact
+    bool dies_out = false;   ///< see LoneImpact
+    std::optional<EarlyRest> early_rest;
     double penetration = 0;  ///< of contacts at this instant, and of the parabolas of numeric pieces, >= 0 [length]
 
     /// Nothing has happened; what was allocated stays for the next event.
@@ -34,7 +36,8 @@ struct EventOutcome {
         events.clear();
         taken = {};
         numeric_steps = 0;
-        clustered = capped = false;
+        clustered = capped = dies_out = false;
+        early_rest.reset();
         penetration = 0;
     }
 };

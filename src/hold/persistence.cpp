@@ -3,10 +3,10 @@
 #include "contact/contact_forces.hpp"
 #include "contact/contact_problem.hpp"
 #include "contact/equalise.hpp"
+#include "hold/tolerances.hpp"
 #include "impact/operators.hpp"
 #include "math/disjoint_sets.hpp"
 #include "math/length.hpp"
-#include "motion/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -137,9 +137,7 @@ void Persistence::equalise(const std::vector<char>& which, const std::vector<dou
 
 double Persistence::kinetic_energy() const
 {
-    double sum = 0;
-    for (const ContactBody& body : problem().bodies) sum += body.velocity.squaredNorm() / 2 / body.inverse_mass;
-    return sum;
+    return carom::kinetic_energy(problem(), velocities_before(problem()));
 }
 
 /// The component with some of its contacts.
@@ -223,7 +221,7 @@ double Persistence::softest(std::size_t contact) const
 /// height of a slow rebound it may go on to close.
 void Persistence::push_apart(std::vector<char> opens)
 {
-    const double enough = 8 * unit_roundoff * std::max(fastest(component_), slow_);
+    const double enough = opening_speed * std::max(fastest(component_), slow_);
     std::vector<char> left(count(), 0);
     for (bool goes_on = true; goes_on;) {
         const std::vector<ContactBody> bodies = problem().bodies;
@@ -246,7 +244,6 @@ void Persistence::push_apart(std::vector<char> opens)
 /// \returns whether all open at `enough` or faster
 bool Persistence::push(std::vector<char>& opens, const std::vector<char>& left, double enough)
 {
-    constexpr int most_pushes = 40;
     std::vector<char> moved(count(), 0);
     double margin = 2 * enough;
     for (int n = 0; n < most_pushes && margin <= std::max(slow_, 4 * enough); ++n, margin *= 2) {

@@ -14,6 +14,24 @@ inline constexpr double rest_height = 16 * unit_roundoff;
 /// Normal speed [|v|] that is none: twice its rounding.
 inline constexpr double no_normal_speed = 2 * normal_speed_rounding;
 
+// A sphere alone on a fixed one.
+
+/// Bounces [1 / (1 - e)] that are to come at most: e^k = u^2.3, from the fastest to where rounding ends them.
+inline constexpr double bounces_of_rounding = 37;
+/// Bounces [1] beyond which thresholds end them: some 1 s of computing.
+inline constexpr double most_bounces = 1e6;
+
+// Contacts of a component.
+
+/// Gap [rest.gap_tolerance] that needs no closing in contacts of bodies that end a numeric piece: with the default
+/// tolerance 1e-12 of a radius, a thousand times the rounding of a gap, as `default_tie`.
+inline constexpr double narrow_gap = 1e-3;
+/// Speed [largest speed] of a contact that opens: twice what `normal_speed_rounding` makes of it.
+inline constexpr double opening_speed = 2 * normal_speed_rounding;
+/// Pushes [1] of contacts that are to open, each with twice the margin: a bound of the loop, for 11 reach a `slow` that
+/// is rounding of the speeds.
+inline constexpr int most_pushes = 40;
+
 // Numeric steps.
 
 /// Disagreement [smallest radius] of the middle stages of a step, as a distance, see NumericCluster: a ball that rolls

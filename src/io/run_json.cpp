@@ -31,6 +31,7 @@ Json counts_json(const Counts& c)
     return {{"impacts", c.impacts},
             {"clusters", c.clusters},
             {"capped", c.capped},
+            {"early_rests", c.early_rests},
             {"rests", c.rests},
             {"releases", c.releases},
             {"guarded", c.guarded},
@@ -51,6 +52,11 @@ Json energy_taken_json(const EnergyTaken& taken)
             {"stabilising", taken.stabilising},
             {"guard", taken.guard},
             {"capped", taken.capped}};
+}
+
+Json early_rest_json(const Scene& scene, const std::optional<EarlyRest>& early)
+{
+    return early ? Json{{"body", scene.body_name(early->body)}, {"time", early->time}} : Json(nullptr);
 }
 
 Json body_seconds_json(const BodyTimes& times)
@@ -158,6 +164,7 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
     if (event != nullptr) {
         json["energy"]["taken"] = energy_taken_json(outcome.energy_taken);
         json["energy"]["lifted"] = lifts_json(scene, run.lifts);
+        json["early_rest"] = early_rest_json(scene, outcome.early_rest);
         json["body_seconds"] = body_seconds_json(outcome.body_seconds);
     }
     json["momentum"] = {{"initial", vector_json(run.initial_momentum)}, {"final", vector_json(run.final_momentum)}};

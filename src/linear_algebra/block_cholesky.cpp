@@ -97,16 +97,23 @@ void BlockCholesky::factor(std::span<const Column> columns)
     }
 }
 
+int BlockCholesky::first_of(const Column& column) const
+{
+    const int a = pattern_->place[at(column.a)];
+    return column.b ? std::min(a, pattern_->place[at(*column.b)]) : a;
+}
+
+std::optional<int> BlockCholesky::parent_of(int block) const
+{
+    const int first = pattern_->begin[at(block)], last = pattern_->begin[at(block) + 1];
+    return last - first > 1 ? std::optional(pattern_->rows[at(first + 1)]) : std::nullopt;
+}
+
 double BlockCholesky::update_cost(const Column& column) const
 {
-    const std::vector<int>&place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
     double cost = 0;
-    int j = column.b ? std::min(place[at(column.a)], place[at(*column.b)]) : place[at(column.a)];
-    while (j >= 0) {
-        const int size = begin[at(j) + 1] - begin[at(j)];
-        cost += 18 * size;
-        j = size > 1 ? rows[at(begin[at(j)] + 1)] : -1;
-    }
+    for (std::optional<int> j = first_of(column); j; j = parent_of(*j))
+        cost += 18 * (pattern_->begin[at(*j) + 1] - pattern_->begin[at(*j)]);
     return cost;
 }
 
@@ -115,13 +122,10 @@ void BlockCholesky::update(const Column& column, double sign)
     const std::vector<int>&place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
     std::vector<Vector> w(place.size(), Vector{});
     w[at(place[at(column.a)])] = column.first;
-    int j = place[at(column.a)];
-    if (column.b) {
-        w[at(place[at(*column.b)])] = column.second;
-        j = std::min(j, place[at(*column.b)]);
-    }
-    // The update goes along the path to the root of the elimination tree, a scalar column after the other.
-    while (j >= 0) {
+    if (column.b) w[at(place[at(*column.b)])] = column.second;
+    // The update goes along the path, a scalar column after the other.
+    for (std::optional<int> next = first_of(column); next; next = parent_of(*next)) {
+        const int j = *next;
         const int first = begin[at(j)], last = begin[at(j) + 1];
         Block& pivot = blocks_[at(first)];
         for (std::size_t c = 0; c < 3; ++c) {
@@ -146,7 +150,6 @@ void BlockCholesky::update(const Column& column, double sign)
                 }
             }
         }
-        j = last - first > 1 ? rows[at(first + 1)] : -1;
     }
 }
 

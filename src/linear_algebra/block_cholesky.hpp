@@ -44,6 +44,11 @@ public:
     double factor_cost() const { return pattern_->factor_cost; }
 
 private:
+    /// The path of a column to the root of the elimination tree: its first block in the pattern's order, and what
+    /// follows a block.
+    int first_of(const Column& column) const;
+    std::optional<int> parent_of(int block) const;
+
     const std::shared_ptr<const BlockPattern> pattern_;
     std::vector<Block> blocks_;  ///< of the factor, in the order of the pattern's rows
 };

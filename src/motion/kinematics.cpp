@@ -1,7 +1,6 @@
 #include "motion/kinematics.hpp"
 
 #include "motion/clock.hpp"
-#include "motion/plane_query.hpp"
 
 namespace carom {
 
@@ -121,9 +120,9 @@ EpochTime CertifiedKinematics::exact_time(const State& state, BodyId a, Partner 
     const Flight& fa = state.flight(a);
     const auto depth_at = [&](const EpochTime& t) {
         const Flight now = flown(state, a, t);
-        if (b.is_plane()) return Encounter(state, now, a, nullptr, b).penetration();
+        if (b.is_plane()) return PlaneEncounter(state, now, a, b.index).penetration();
         const Flight other = flown(state, b.index, t);
-        return Encounter(state, now, a, &other, b).penetration();
+        return SphereEncounter(state, now, a, other, b.index).penetration();
     };
     if (b.is_plane()) {
         const DoubleDouble t = PlaneQuery(state, fa, a, b.index).enclose().t_lo;
@@ -149,50 +148,64 @@ Flight flown(const State& state, BodyId body, const EpochTime& now)
     return f;
 }
 
-Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner)
+Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
 {
-    if (partner.is_plane()) return PlaneQuery(state, a, body, partner.index).enclose_rounded();
-    const double length = largest(separation(state.frame, a.place, b->place)) + state.frame.cell_size;
-    return PairQuery(state, a, body, *b, partner.index)
+    const double length = largest(separation(state.frame, a.place, b.place)) + state.frame.cell_size;
+    return PairQuery(state, a, id_a, b, id_b)
         .enclose_rounded(
-            {flown_to_rounding * length, flown_to_speed_rounding * (largest(a.velocity) + largest(b->velocity)), 0});
+            {flown_to_rounding * length, flown_to_speed_rounding * (largest(a.velocity) + largest(b.velocity)), 0});
 }
 
-Encounter::Encounter(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner)
+Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId body, int plane)
+{
+    return PlaneQuery(state, a, body, plane).enclose_rounded();
+}
+
+SphereEncounter::SphereEncounter(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
     : state_(state),
       a_(a),
-      body_(body),
       b_(b),
-      partner_(partner),
-      certified_(state.certified() && is_certified_gap(state, body, partner))
+      id_a_(id_a),
+      id_b_(id_b),
+      certified_(state.certified() && is_certified_gap(state, id_a, Partner::sphere(id_b))),
+      separation_(separation(state.frame, a.place, b.place)),
+      distance_(std::sqrt(separation_.squaredNorm())),
+      contact_distance_(state.radius(id_a) + state.radius(id_b)),
+      normal_(separation_ / distance_)
 {
-    if (b) {
-        separation_ = separation(state.frame, a.place, b->place);
-        distance_ = std::sqrt(separation_.squaredNorm());
-        normal_ = separation_ / distance_;
-    } else {
-        normal_ = facing_normal(state, partner.index, a.place);
-    }
 }
 
-int Encounter::approach_sign() const
+int SphereEncounter::approach_sign() const
 {
-    if (b_)
-        return certified_ ? PairQuery(state_, a_, body_, *b_, partner_.index).approach_sign()
-                          : carom::approach_sign(separation_, velocity());
-    const double sum = normal_.dot(a_.velocity);
-    if (!certified_ || std::abs(sum) > dot_rounding * normal_.cwiseProduct(a_.velocity).cwiseAbs().sum())
+    return certified_ ? exactly().approach_sign() : carom::approach_sign(separation_, velocity());
+}
+
+double SphereEncounter::penetration() const
+{
+    return certified_ ? exactly().overlap() : std::max(0.0, -gap());
+}
+
+PlaneEncounter::PlaneEncounter(const State& state, const Flight& flight, BodyId body, int plane)
+    : state_(state),
+      flight_(flight),
+      body_(body),
+      plane_(plane),
+      certified_(flies_certified(state, body)),
+      normal_(facing_normal(state, plane, flight.place))
+{
+}
+
+int PlaneEncounter::approach_sign() const
+{
+    const double sum = normal_.dot(flight_.velocity);
+    if (!certified_ || std::abs(sum) > dot_rounding * normal_.cwiseProduct(flight_.velocity).cwiseAbs().sum())
         return sum < 0 ? -1 : sum > 0 ? 1 : 0;
-    return PlaneQuery(state_, a_, body_, partner_.index).w().sign();
+    return exactly().w().sign();
 }
 
-double Encounter::penetration() const
+double PlaneEncounter::penetration() const
 {
-    if (!b_)
-        return certified_ ? PlaneQuery(state_, a_, body_, partner_.index).overlap()
-                          : std::max(0.0, -height_above(state_, body_, partner_.index, a_.place));
-    if (certified_) return PairQuery(state_, a_, body_, *b_, partner_.index).overlap();
-    return std::max(0.0, state_.radius(body_) + state_.radius(partner_.index) - distance_);
+    return certified_ ? exactly().overlap() : std::max(0.0, -height_above(state_, body_, plane_, flight_.place));
 }
 
 }  // namespace carom

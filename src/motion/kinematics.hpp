@@ -3,7 +3,8 @@
 /// for both number types of a run.
 #pragma once
 
-#include "motion/relative.hpp"
+#include "motion/low_return.hpp"
+#include "motion/plane_query.hpp"
 #include "toi/enclosure.hpp"
 #include "toi/sphere_plane.hpp"
 #include "toi/sphere_sphere.hpp"
@@ -51,31 +52,52 @@ bool is_certified_gap(const State& state, BodyId a, Partner b);
 Flight flown(const State& state, BodyId body, const EpochTime& now);
 
 /// The time from the flights' common start to a contact, in double-double, with bounds that tell which of two is first.
-/// \param b flight of the partner if it is a sphere, else null
-Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner);
+Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b);
+Enclosure<DoubleDouble> wait(const State& state, const Flight& a, BodyId body, int plane);
 
-/// A body and its partner at one moment, evaluated in the number type of their gap.
-class Encounter {
+/// Two spheres at one moment, evaluated in the number type of their gap. The flights outlive this.
+class SphereEncounter {
 public:
-    /// \param b flight of the partner if it is a sphere, else null; both outlive this
-    Encounter(const State& state, const Flight& a, BodyId body, const Flight* b, Partner partner);
+    SphereEncounter(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b);
 
-    const Vec3& normal() const { return normal_; }  ///< from b to a, unit to rounding
-    Vec3 velocity() const { return b_ ? Vec3(a_.velocity - b_->velocity) : a_.velocity; }  ///< of a relative to b
+    const Vec3& normal() const { return normal_; }                ///< from b to a, unit to rounding
+    Vec3 velocity() const { return a_.velocity - b_.velocity; }   ///< of a relative to b
+    double gap() const { return distance_ - contact_distance_; }  ///< in double [length]
     /// The sign of d gap/dt.
     int approach_sign() const;
     /// Depth of the overlap, 0 where the gap is >= 0 [length].
     double penetration() const;
 
 private:
+    PairQuery exactly() const { return {state_, a_, id_a_, b_, id_b_}; }
+
     const State& state_;
-    const Flight& a_;
-    const BodyId body_;
-    const Flight* const b_;
-    const Partner partner_;
+    const Flight &a_, &b_;
+    const BodyId id_a_, id_b_;
     const bool certified_;
-    Vec3 separation_ = Vec3::Zero(), normal_ = Vec3::Zero();
-    double distance_ = 0;
+    const Vec3 separation_;
+    const double distance_, contact_distance_;
+    const Vec3 normal_;
+};
+
+/// The same of a sphere and a plane; the normal is that of the side where the sphere is.
+class PlaneEncounter {
+public:
+    PlaneEncounter(const State& state, const Flight& flight, BodyId body, int plane);
+
+    const Vec3& normal() const { return normal_; }
+    int approach_sign() const;
+    double penetration() const;
+
+private:
+    PlaneQuery exactly() const { return {state_, flight_, body_, plane_}; }
+
+    const State& state_;
+    const Flight& flight_;
+    const BodyId body_;
+    const int plane_;
+    const bool certified_;
+    const Vec3 normal_;
 };
 
 /// from + t, or `never` if that is certainly after the limit: most contacts are, and their times need no splitting.
@@ -99,7 +121,8 @@ ContactTime PlainKinematics<gravity>::pair_time(const State& state, BodyId a, Bo
         // Quartics are dear: first what may spare them.
         const bool quartic = m.acceleration_a != m.acceleration_b;
         if (quartic && (persists() || meet_too_late(state, a, b, m, limit))) return {};
-        const Root root = pair_root(state, m);
+        const std::optional<double> low = quartic ? low_return(state, a, b, m) : std::nullopt;
+        const Root root = low ? Root{RootKind::impact, *low, 0} : pair_root(state, m);
         if (root.kind == RootKind::none || (!quartic && persists())) return {};
         return {true, time_up_to(state.frame, m.from, root.t, limit), false, m.swept};
     }

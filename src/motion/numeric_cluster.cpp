@@ -1,6 +1,7 @@
 #include "motion/numeric_cluster.hpp"
 
 #include "contact/contact_forces.hpp"
+#include "contact/contact_problem.hpp"
 #include "contact/equalise.hpp"
 #include "motion/tolerances.hpp"
 
@@ -14,44 +15,53 @@ namespace {
 
 using Bodies = std::vector<NumericBody>;
 
+/// Another sphere as a contact sees it.
+NumericBody opposite(const NumericContact& c, std::span<const NumericBody> bodies)
+{
+    if (const std::optional<int> b = c.b()) return bodies[static_cast<std::size_t>(*b)];
+    return {std::get<FixedSphere>(c.partner).centre, Vec3::Zero(), 0};
+}
+
 struct Geometry {
     Vec3 normal;
     double gap;        ///< [length]
     double curvature;  ///< |w_t|^2 / distance [length/time^2]
 };
 
-Geometry geometry(const NumericContact& c, const Bodies& bodies)
+Geometry geometry(const NumericContact& c, std::span<const NumericBody> bodies)
 {
     const NumericBody& a = bodies[static_cast<std::size_t>(c.a)];
-    if (c.plane) return {c.centre, c.centre.dot(a.position) - c.reach, 0};
-    const bool alone = !c.b;
-    const Vec3 r = a.position - (alone ? c.centre : bodies[static_cast<std::size_t>(*c.b)].position);
-    const Vec3 w = alone ? a.velocity : Vec3(a.velocity - bodies[static_cast<std::size_t>(*c.b)].velocity);
+    if (const auto* plane = std::get_if<FixedPlane>(&c.partner))
+        return {plane->normal, plane->normal.dot(a.position) - c.reach, 0};
+    const NumericBody b = opposite(c, bodies);
+    const Vec3 r = a.position - b.position, w = a.velocity - b.velocity;
     const double distance = std::sqrt(r.squaredNorm());
     const Vec3 normal = r / distance;
     return {normal, distance - c.reach, (w - w.dot(normal) * normal).squaredNorm() / distance};
 }
 
 /// Contacts as they stand, with a velocity for each body.
-ContactProblem contacts_at(const NumericCluster& cluster, const Bodies& bodies, std::vector<double>* curvature)
-{
-    ContactProblem out;
-    for (const NumericBody& b : bodies) out.bodies.push_back({b.velocity, b.inverse_mass});
-    for (const NumericContact& c : cluster.contacts) {
-        const Geometry g = geometry(c, bodies);
-        out.contacts.push_back({c.a, c.b, g.normal, 0, 1});
-        if (curvature) curvature->push_back(g.curvature);
+struct Standing {
+    ContactProblem problem;
+    std::vector<double> curvature;  ///< by contact
+
+    Standing(const NumericCluster& cluster, const Bodies& bodies)
+    {
+        for (const NumericBody& b : bodies) problem.bodies.push_back({b.velocity, b.inverse_mass});
+        for (const NumericContact& c : cluster.contacts) {
+            const Geometry g = geometry(c, bodies);
+            problem.contacts.push_back({.a = c.a, .b = c.b(), .normal = g.normal, .restitution = 0, .gap = g.gap});
+            curvature.push_back(g.curvature);
+        }
     }
-    return out;
-}
+};
 
 /// \param guess forces of a moment nearby
 ContactForces forces_at(const NumericCluster& cluster, const Bodies& bodies, std::span<const double> guess)
 {
-    std::vector<double> curvature;
-    ContactProblem problem = contacts_at(cluster, bodies, &curvature);
-    for (ContactBody& body : problem.bodies) body.velocity = cluster.gravity;
-    return solve_contact_forces(problem, curvature, guess);
+    Standing standing(cluster, bodies);
+    for (ContactBody& body : standing.problem.bodies) body.velocity = cluster.gravity;
+    return solve_contact_forces(standing.problem, standing.curvature, guess);
 }
 
 /// The bodies of `from` after dt, at the velocities of `at` and the accelerations of `rate`.
@@ -100,8 +110,9 @@ RungeKutta runge_kutta(const NumericCluster& cluster, const ContactForces& k1, d
 double opening(const NumericCluster& cluster, const ContactForces& forces, std::size_t i)
 {
     const NumericContact& c = cluster.contacts[i];
+    const std::optional<int> b = c.b();
     const double lightness = cluster.bodies[static_cast<std::size_t>(c.a)].inverse_mass +
-                             (!c.b ? 0 : cluster.bodies[static_cast<std::size_t>(*c.b)].inverse_mass);
+                             (b ? cluster.bodies[static_cast<std::size_t>(*b)].inverse_mass : 0);
     const double force = forces.forces[i];
     return (force > 0 ? -force * lightness : forces.gap_rates[i]) - cluster.opening;
 }
@@ -167,18 +178,15 @@ double energy(const NumericCluster& cluster, const Bodies& bodies)
 void put_back(const NumericCluster& cluster, const std::vector<double>& forces, Bodies& bodies)
 {
     for (const bool gaps : {true, false}) {
-        ContactProblem problem = contacts_at(cluster, bodies, nullptr);
+        const ContactProblem problem = Standing(cluster, bodies).problem;
+        const std::vector<Vec3> velocities = velocities_before(problem);
         ContactProblem some{problem.bodies, {}};
         std::vector<double> wanted;
         for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
-            const NumericContact& c = cluster.contacts[i];
-            const auto a = static_cast<std::size_t>(c.a);
-            const double gap = gaps ? geometry(c, bodies).gap : 0;
-            if (!(forces[i] > 0 || gap < 0)) continue;
-            some.contacts.push_back(problem.contacts[i]);
-            const Vec3 relative =
-                !c.b ? bodies[a].velocity : Vec3(bodies[a].velocity - bodies[static_cast<std::size_t>(*c.b)].velocity);
-            wanted.push_back(gaps ? -gap : -problem.contacts[i].normal.dot(relative));
+            const Contact& c = problem.contacts[i];
+            if (!(forces[i] > 0 || (gaps && c.gap < 0))) continue;
+            some.contacts.push_back(c);
+            wanted.push_back(gaps ? -c.gap : -closing_rate(c, velocities));
         }
         if (wanted.empty()) continue;
         const std::vector<Vec3> change = equalising_change(some, wanted).change;
@@ -187,6 +195,11 @@ void put_back(const NumericCluster& cluster, const std::vector<double>& forces, 
 }
 
 }  // namespace
+
+double NumericContact::gap(std::span<const NumericBody> bodies) const
+{
+    return geometry(*this, bodies).gap;
+}
 
 NumericStep numeric_step(const NumericCluster& cluster, double h)
 {

@@ -5,6 +5,8 @@
 #include "contact/contact.hpp"
 
 #include <limits>
+#include <span>
+#include <variant>
 #include <vector>
 
 namespace carom {
@@ -16,14 +18,30 @@ struct NumericBody {
     double inverse_mass = 1;       ///< > 0 [1/mass]
 };
 
-/// A persistent contact with another body of the cluster, a fixed sphere or a plane.
+/// What a body of the cluster touches: another one, or what does not move.
+struct MovingSphere {
+    int body = 0;
+};
+struct FixedSphere {
+    Vec3 centre = Vec3::Zero();  ///< [length]
+};
+struct FixedPlane {
+    Vec3 normal = Vec3::Zero();  ///< unit to rounding
+};
+
+/// A persistent contact.
 struct NumericContact {
     int a = 0;
-    std::optional<int> b = immovable;
-    bool plane = false;          ///< `centre` is a normal, unit to rounding, `reach` a height along it
-    Vec3 centre = Vec3::Zero();  ///< of a fixed sphere [length]
-    double reach = 0;            ///< r_a + r_b, or where the centre is when in contact with the plane [length]
-    double force = 0;            ///< a guess of what it carries, which saves time [mass length/time^2]
+    std::variant<MovingSphere, FixedSphere, FixedPlane> partner;
+    double reach = 0;  ///< r_a + r_b, or the height of the centre along the normal of a plane, when closed [length]
+    double force = 0;  ///< a guess of what it carries, which saves time [mass length/time^2]
+
+    std::optional<int> b() const
+    {
+        const auto* moving = std::get_if<MovingSphere>(&partner);
+        return moving ? std::optional(moving->body) : immovable;
+    }
+    double gap(std::span<const NumericBody> bodies) const;  ///< [length]
 };
 
 struct NumericCluster {

@@ -65,6 +65,16 @@ inline constexpr double flown_to_rounding = 0x1p-90;
 /// Error of velocities that are themselves flown to a moment [speeds]: each is rounded to a double, 1 counted.
 inline constexpr double flown_to_speed_rounding = 2 * unit_roundoff;
 
+// Low bounces on a fixed sphere (low_return.cpp).
+
+/// Gap [S + cell] of two spheres that touch: places 2, difference 1, norm 3 and distance 1, 7 counted.
+inline constexpr double touching = 8 * unit_roundoff;
+/// Change of the normal acceleration during a bounce [1, of that acceleration] up to which it is low: Newton's method
+/// then begins with two digits. A vertical one is lower than S / 128.
+inline constexpr double low_turn = 1.0 / 64;
+/// Steps [1] of Newton's method from there: 4 leave (1/64)^16.
+inline constexpr int return_steps = 4;
+
 // Times (clock.hpp).
 
 /// Resolution of times [epochs]: the ulp of an offset just below an epoch.

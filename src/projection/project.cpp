@@ -19,27 +19,27 @@ bool is_satisfied(const ProjectionProblem& problem, const Component& part)
     return true;
 }
 
-Projection solve_dense(const ProjectionProblem& part, std::span<const double> guess)
+Projection solve_dense(const ProjectionProblem& part, Guess guess)
 {
     Projection out;
     out.complete = false;
-    if (!guess.empty()) out = primal_dual_active_set(part, guess, Factors::dense);
+    if (guess) out = primal_dual_active_set(part, *guess, Factors::dense);
     return out.complete ? out : dual_active_set(part).projection;
 }
 
-Projection solve_sparse(const ProjectionProblem& part, std::span<const double> guess)
+Projection solve_sparse(const ProjectionProblem& part, Guess guess)
 {
     std::vector<double> swept;
-    if (guess.empty()) {
+    if (!guess) {
         swept = gauss_seidel(part, first_sweeps, std::vector<double>(part.half_spaces.size(), 0.0)).multipliers;
         guess = swept;
     }
-    Projection out = primal_dual_active_set(part, guess, Factors::sparse);
-    if (!out.complete) out = augmented_lagrangian(part, guess).projection;
+    Projection out = primal_dual_active_set(part, *guess, Factors::sparse);
+    if (!out.complete) out = augmented_lagrangian(part, *guess).projection;
     return out;
 }
 
-Projection solve(const ProjectionProblem& part, std::span<const double> guess)
+Projection solve(const ProjectionProblem& part, Guess guess)
 {
     Projection out = part.half_spaces.size() <= dense_limit ? solve_dense(part, guess) : solve_sparse(part, guess);
     if (!out.complete) out = gauss_seidel(part, last_sweeps, std::move(out.multipliers));
@@ -48,7 +48,7 @@ Projection solve(const ProjectionProblem& part, std::span<const double> guess)
 
 }  // namespace
 
-Projection project(const ProjectionProblem& problem, std::span<const int> chosen, std::span<const double> guess)
+Projection project(const ProjectionProblem& problem, std::span<const int> chosen, Guess guess)
 {
     Projection out{problem.start, std::vector<double>(problem.half_spaces.size(), 0.0), true, 0};
     for (const Component& part : components(problem.half_spaces, chosen, problem.start.size())) {
@@ -61,9 +61,11 @@ Projection project(const ProjectionProblem& problem, std::span<const int> chosen
             ++out.steps;
             continue;
         }
-        std::vector<double> part_guess;
-        if (!guess.empty())
-            for (const int i : part.half_spaces) part_guess.push_back(guess[static_cast<std::size_t>(i)]);
+        std::optional<std::vector<double>> part_guess;
+        if (guess) {
+            part_guess.emplace();
+            for (const int i : part.half_spaces) part_guess->push_back((*guess)[static_cast<std::size_t>(i)]);
+        }
         const Projection solved = solve(part_of(problem, part), part_guess);
         out.complete = out.complete && solved.complete;
         out.steps += solved.steps;
@@ -75,7 +77,7 @@ Projection project(const ProjectionProblem& problem, std::span<const int> chosen
     return out;
 }
 
-Projection project(const ProjectionProblem& problem, std::span<const double> guess)
+Projection project(const ProjectionProblem& problem, Guess guess)
 {
     std::vector<int> all(problem.half_spaces.size());
     std::iota(all.begin(), all.end(), 0);

@@ -8,12 +8,15 @@
 
 namespace carom {
 
+/// Multipliers by half-space to begin with. They save time in large parts.
+using Guess = std::optional<std::span<const double>>;
+
 /// The point nearest to `problem.start` that satisfies the half-spaces listed in `chosen`, each once. The others are
 /// ignored, their multipliers 0. Slacks hold to the tolerance, in parts of more than `dense_limit` half-spaces to 100
-/// of them. \param guess by half-space, or empty: multipliers to begin with, which save time in large parts
-Projection project(const ProjectionProblem& problem, std::span<const int> chosen, std::span<const double> guess = {});
+/// of them.
+Projection project(const ProjectionProblem& problem, std::span<const int> chosen, Guess guess = {});
 
 /// The same with all half-spaces.
-Projection project(const ProjectionProblem& problem, std::span<const double> guess = {});
+Projection project(const ProjectionProblem& problem, Guess guess = {});
 
 }  // namespace carom

@@ -18,7 +18,7 @@ NumericCluster ball_on_ball(double angle, double rate)
     NumericCluster cluster;
     const Vec3 out(std::sin(angle), 0, std::cos(angle)), along(std::cos(angle), 0, -std::sin(angle));
     cluster.bodies.push_back({reach * out, reach * rate * along, 2});
-    cluster.contacts.push_back({0, immovable, false, Vec3::Zero(), reach, 0});
+    cluster.contacts.push_back({0, FixedSphere{}, reach, 0});
     cluster.gravity = {0, 0, -gravity};
     cluster.opening = 1e-9 * gravity;
     return cluster;
