@@ -95,6 +95,30 @@ struct RowSeries {
 inline constexpr std::size_t max_track_spheres = 300;
 inline constexpr std::size_t max_listed_mismatches = 200;  ///< of each kind and row
 
+/// Impacts that a method was put to one at a time: begun anew from the exact state at a random phase of the step before
+/// each, it takes two steps. For `event` they are those of its run beside those of the reference.
+struct Audit {
+    std::int64_t audited = 0;     ///< found + late + missed + wrong
+    std::int64_t found = 0;       ///< answered in its step, and after two steps the velocity is right to 1 % of |dv|
+    std::int64_t late = 0;        ///< answered in the step after
+    std::int64_t missed = 0;      ///< not answered
+    std::int64_t wrong = 0;       ///< answered in its step, but the velocity is not right
+    std::int64_t crowded = 0;     ///< questions not asked: a body has another contact within the two steps
+    std::int64_t looked_at = 0;   ///< two steps of bodies that have no impact in them, at random
+    std::int64_t invented = 0;    ///< of these, those in which the body answers all the same
+    std::optional<double> delay;  ///< mean time from impact to answer; none without an answer [steps]
+};
+
+/// The run from which the audit takes impacts and exact states.
+struct AuditSummary {
+    double until = 0;             ///< impacts up to here [time]
+    std::int64_t contacts = 0;    ///< impacts closing at v_c or faster
+    std::int64_t drawn = 0;       ///< of these, those that each method is asked about, chosen at random
+    int phases = 1;               ///< random phases of the step at which each of them is asked about
+    std::int64_t slow = 0;        ///< not asked about: closings below v_c, and tails of series, one each
+    std::int64_t persistent = 0;  ///< not asked about: contacts that began to last
+};
+
 /// One line of compare.csv. Optional figures are those that the comparison cannot give.
 struct CompareRow {
     std::string method;
@@ -114,6 +138,7 @@ struct CompareRow {
     std::int64_t mistimed_impacts = 0;
     std::int64_t reference_impacts = 0;  ///< that could have been missed
     std::int64_t impacts = 0;
+    std::optional<Audit> audit;             ///< none where there is no truth or reference to ask
     std::optional<double> rest_jitter;      ///< none if nothing rests in the reference [length/time]
     std::optional<double> divergence_time;  ///< none: never further than 0.01 r_min from the reference [time]
     double reference_bound = 0;             ///< [length]
@@ -143,6 +168,7 @@ struct Comparison {
     bool interrupted = false;          ///< rows are those finished before
     std::vector<double> sample_times;  ///< all, up to `until` [time]
     ReferenceSummary reference;
+    AuditSummary audit;
     std::vector<CompareRow> rows;
     std::vector<std::string> verdict;  ///< sentences; the first says which method is right and by how much
 };

@@ -1,3 +1,4 @@
+#include "cli/compare_audit.hpp"
 #include "cli/tables.hpp"
 
 #include "study/compare_columns.hpp"
@@ -14,8 +15,11 @@ const char* const compare_legend =
     "max error: farthest that a sphere is from the reference at any of 200 sample times; at end: at the last of them\n"
     "energy err: most that the energy is off at a sample time, of the reference's largest kinetic energy\n"
     "overlap: deepest, for a stepper before it corrects; jitter: rms speed of what rests in the reference\n"
-    "late: impacts that come more than 3 steps early or late; missed: that never come (compare.csv adds the two)\n"
-    "invented: impacts that the reference does not have within 3 steps, the late ones among them\n"
+    "found, late, missed, wrong: of the impacts audited, with the interval of 95 %: answered in their step with the\n"
+    "  right velocity; in the step after; not at all; with another velocity; crowded: not audited, another is too "
+    "near\n"
+    "invented: two steps of a body without an impact in which it answers one; event: beside the reference's impacts\n"
+    "run missed, run invented: impacts of the whole run that never come, or that the reference has not\n"
     "diverges: when a sphere is first off by 0.01 of the smallest radius; impacts are counted up to then\n"
     "CPU: median of the repeats; x event: that over the event run's\n";
 
@@ -100,8 +104,18 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
         {named("position_final_max"), [](const CompareRow& r) { return figure(r.position_final_max); }, false});
     all.push_back({named("energy_error"), [](const CompareRow& r) { return figure(r.energy_error); }, false});
     all.push_back({named("max_penetration"), [](const CompareRow& r) { return figure(r.max_penetration); }});
-    all.push_back({"late",
-                   [](const CompareRow& r) { return never_judged(r) ? "-" : std::to_string(r.mistimed_impacts); },
+    all.push_back({named("audited"),
+                   [](const CompareRow& r) { return r.audit ? std::to_string(r.audit->audited) : "-"; }, false});
+    all.push_back(
+        {named("found"), [](const CompareRow& r) { return share_with_interval(r.audit, &Audit::found); }, false});
+    for (const auto& [name, part] :
+         {std::pair("late", &Audit::late), std::pair("missed", &Audit::missed), std::pair("wrong", &Audit::wrong)})
+        all.push_back({named(name), [part](const CompareRow& r) { return share_cell(r.audit, part); }, false});
+    all.push_back({named("invented"),
+                   [](const CompareRow& r) { return share_cell(r.audit, &Audit::invented, &Audit::looked_at); },
+                   false});
+    all.push_back({named("crowded"),
+                   [](const CompareRow& r) { return r.audit && r.dt ? std::to_string(r.audit->crowded) : "-"; },
                    false});
     all.push_back({named("missed_impacts"),
                    [](const CompareRow& r) {
@@ -142,7 +156,7 @@ std::string head(const Scene& scene, const Comparison& comparison)
     if (const double radius = smallest_radius(scene); radius > 0)
         text += " (" + study::two_digits(comparison.tolerance / radius) +
                 " of the smallest radius; --tolerance changes it)";
-    return text + "\n";
+    return text + "\n" + audit_line(comparison);
 }
 
 }  // namespace

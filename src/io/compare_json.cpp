@@ -1,5 +1,6 @@
 #include "io/compare_files.hpp"
 #include "study/compare_columns.hpp"
+#include "study/share.hpp"
 
 #include "io/lift_json.hpp"
 
@@ -19,6 +20,27 @@ Json mismatches_json(const Scene& scene, const std::vector<ImpactMismatch>& list
     return json;
 }
 
+/// A share and the ends of its interval; null of nothing.
+Json share_json(std::int64_t part, std::int64_t whole)
+{
+    if (whole == 0) return nullptr;
+    const study::Share share = study::wilson_share(part, whole);
+    return Json::array({share.value, share.low, share.high});
+}
+
+/// What the audit's counts are out of: shares with intervals of 95 %.
+Json audit_json(const std::optional<Audit>& audit)
+{
+    if (!audit) return nullptr;
+    return {{"found", share_json(audit->found, audit->audited)},
+            {"late", share_json(audit->late, audit->audited)},
+            {"missed", share_json(audit->missed, audit->audited)},
+            {"wrong", share_json(audit->wrong, audit->audited)},
+            {"invented", share_json(audit->invented, audit->looked_at)},
+            {"looked_at", audit->looked_at},
+            {"delay", audit->delay ? Json(*audit->delay) : Json(nullptr)}};
+}
+
 Json row_json(const Scene& scene, const CompareRow& row)
 {
     // First the keys of the CSV in its order, then what only JSON carries.
@@ -30,8 +52,9 @@ Json row_json(const Scene& scene, const CompareRow& row)
     json["repeats"] = row.repeats;
     json["reference_impacts"] = row.reference_impacts;
     json["mistimed_impacts"] = row.mistimed_impacts;
-    json["missed"] = mismatches_json(scene, row.missed);
-    json["invented"] = mismatches_json(scene, row.invented);
+    json["missed_at"] = mismatches_json(scene, row.missed);
+    json["invented_at"] = mismatches_json(scene, row.invented);
+    json["audit"] = audit_json(row.audit);
     json["lifted"] = lifts_json(scene, row.lifts);
     return json;
 }
@@ -61,6 +84,12 @@ std::string compare_json(const Scene& scene, const Comparison& comparison, const
                          {"impacts", reference.impacts},
                          {"series", reference.series},
                          {"cpu_seconds", reference.cpu_seconds}};
+    json["audit"] = {{"until", comparison.audit.until},
+                     {"contacts", comparison.audit.contacts},
+                     {"drawn", comparison.audit.drawn},
+                     {"phases", comparison.audit.phases},
+                     {"slow", comparison.audit.slow},
+                     {"persistent", comparison.audit.persistent}};
     json["rows"] = Json::array();
     for (const CompareRow& row : comparison.rows) json["rows"].push_back(row_json(scene, row));
     json["verdict"] = joined(comparison.verdict);

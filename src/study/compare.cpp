@@ -1,6 +1,7 @@
 #include "core/expect.hpp"
 #include "core/patience.hpp"
 #include "reference/reference.hpp"
+#include "study/audit.hpp"
 #include "study/clock.hpp"
 #include "study/row.hpp"
 #include "study/tolerances.hpp"
@@ -43,6 +44,15 @@ double weight(const Method& method, double until)
 {
     const StepOptions* step = step_options(method);
     return step == nullptr ? study::event_run_in_steps : until / step->dt * step->substeps * step->passes + 1;
+}
+
+/// The longest step among the methods; 0 without a discrete one [time].
+double longest_step(const std::vector<Method>& methods)
+{
+    double longest = 0;
+    for (const Method& method : methods)
+        if (const StepOptions* step = step_options(method)) longest = std::max(longest, step->dt);
+    return longest;
 }
 
 std::string label(const Method& method)
@@ -110,6 +120,13 @@ Comparison compare_methods(const Scene& scene, const CompareOptions& options)
     result.reference = summary(reference, study::thread_cpu_seconds() - start);
     result.interrupted = reference.stopped;
 
+    std::optional<study::Auditor> auditor;  // none where only the event method runs
+    if (const double longest = longest_step(methods); longest > 0 && !result.interrupted) {
+        auditor.emplace(scene, options.until, longest, options.on_progress);
+        result.audit = auditor->summary();
+        result.interrupted = auditor->stopped();
+    }
+
     double total = 0, done = 0;
     for (const Method& method : methods) total += weight(method, options.until);
     Patience patience(options.on_progress);
@@ -127,6 +144,7 @@ Comparison compare_methods(const Scene& scene, const CompareOptions& options)
         if (recorded.interrupted) break;
         done += one_run;
         task.on_progress = [&](double) { return patience.lasts(); };
+        if (step_options(method) != nullptr) recorded.row.audit = auditor->audit(method, patience);
         time_row(task, options, recorded);
         result.rows.push_back(std::move(recorded.row));
         done += work - one_run;

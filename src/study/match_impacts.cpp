@@ -17,7 +17,7 @@ bool exempt_at(const PairImpacts& pair, double time)
 
 struct PairMatch {
     std::vector<double> missed, invented;
-    std::int64_t expected = 0, left_over = 0;
+    std::int64_t expected = 0, left_over = 0, late = 0, found = 0;
 };
 
 /// Whether an own series of the run, closed at one of `rests`, stands for an impact at `time`: the last impact found
@@ -46,8 +46,11 @@ PairMatch match_pair(const PairImpacts& expected, const std::vector<double>& fou
             near = true;
             if (taken[candidate]) continue;
             taken[candidate] = matched = true;
+            result.late += std::abs(expected.times[candidate] - time) > window.in_time &&
+                           expected.times[candidate] <= window.horizon;
             break;
         }
+        result.found += time <= window.horizon;
         if (!matched && time <= window.horizon) ++result.left_over;
         if (!near && time <= window.horizon && !exempt_at(expected, time)) result.invented.push_back(time);
     }
@@ -86,6 +89,8 @@ MatchResult match_impacts(const ExpectedImpacts& expected, std::span<const Found
         const PairMatch match =
             match_pair(known == expected.end() ? nothing : known->second, times.first, times.second, window);
         result.expected += match.expected;
+        result.late += match.late;
+        result.found += match.found;
         result.missed += static_cast<std::int64_t>(match.missed.size());
         result.mistimed += std::min(static_cast<std::int64_t>(match.missed.size()), match.left_over);
         result.invented += static_cast<std::int64_t>(match.invented.size());

@@ -6,6 +6,7 @@
 
 #include <carom/study.hpp>
 
+#include <limits>
 #include <map>
 #include <span>
 #include <utility>
@@ -43,12 +44,16 @@ struct FoundImpact {
 struct MatchWindow {
     double width = 0;    ///< how far apart in time the two may be: 3 steps for discrete methods [time]
     double horizon = 0;  ///< end of the comparison: divergence or end of the reference [time]
+    double in_time =
+        std::numeric_limits<double>::infinity();  ///< how far apart they are at most to be of one time [time]
 };
 
 struct MatchResult {
     std::int64_t expected = 0;  ///< reference impacts up to the horizon that could be missed
     std::int64_t missed = 0, invented = 0;
     std::int64_t mistimed = 0;  ///< of the missed ones, those for which the pair has an impact that nothing else claims
+    std::int64_t late = 0;      ///< found within the width, but further apart than `in_time`
+    std::int64_t found = 0;     ///< impacts of the run up to the horizon
     std::vector<ImpactMismatch> missed_list, invented_list;  ///< in time order, the first `max_listed_mismatches`
 };
 

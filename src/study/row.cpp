@@ -1,5 +1,6 @@
 #include "study/row.hpp"
 
+#include "scene/tolerances.hpp"
 #include "study/clock.hpp"
 #include "study/compensated_sum.hpp"
 #include "study/deepest_overlap.hpp"
@@ -21,18 +22,47 @@ double divergence_threshold(const Scene& scene)
 
 namespace {
 
+/// The largest root mean square speed of the reference at a sample [length/time].
+double speed_scale(const Reference& reference)
+{
+    double speed = 0;
+    for (const auto& states : reference.samples) {
+        const std::vector<BodyState> still(states.size());
+        speed = std::max(speed, velocity_deviation(states, still).rms);
+    }
+    return speed;
+}
+
 /// How far apart the times of one impact may be in two runs.
 double match_width(const RowTask& task)
 {
     if (const StepOptions* step = step_options(task.method)) return match_steps * step->dt;
     // The event method has no step: what is not yet diverged may be early or late by its distance over its speed.
-    double speed = 0;
-    for (const auto& states : task.reference.samples) {
-        const std::vector<BodyState> still(states.size());
-        speed = std::max(speed, velocity_deviation(states, still).rms);
-    }
+    const double speed = speed_scale(task.reference);
     const double drift = speed > 0 ? divergence_threshold(task.scene) / speed : 0;
     return std::max(match_part_of_run * task.run.until, drift);
+}
+
+/// How far an impact of the event method may be from that of the reference to be in time: what the reference knows, or
+/// what counts as touching, at the speed of the scene.
+double in_time(const RowTask& task)
+{
+    const double speed = speed_scale(task.reference);
+    const double distance = std::max(task.reference.bound, declared_contact * smallest_radius(task.scene));
+    return speed > 0 ? distance / speed : std::numeric_limits<double>::infinity();
+}
+
+/// The impacts of an event-driven run beside those of the reference, as the audit counts.
+Audit audit_of(const MatchResult& match)
+{
+    Audit audit;
+    audit.audited = match.expected;
+    audit.missed = match.missed - match.mistimed;
+    audit.late = match.late + match.mistimed;
+    audit.found = audit.audited - audit.missed - audit.late;
+    audit.looked_at = match.found;
+    audit.invented = std::max<std::int64_t>(0, match.invented - match.mistimed);
+    return audit;
 }
 
 /// Collects a run as it goes. Sums are over what the reference covers.
@@ -118,7 +148,9 @@ void Recorder::match(CompareRow& row, const Outcome& outcome)
     for (auto last = found_.rbegin(); last != found_.rend(); ++last)
         if (outcome.final[static_cast<std::size_t>(last->a)].mode == Mode::series)
             rests_.push_back({outcome.time, last->a, last->b});
-    const MatchResult match = match_impacts(expected, found_, rests_, {width_, std::min(horizon(), outcome.time)});
+    const MatchResult match =
+        match_impacts(expected, found_, rests_, {width_, std::min(horizon(), outcome.time), in_time(task_)});
+    if (step == nullptr) row.audit = audit_of(match);
     row.missed_impacts = match.missed;
     row.invented_impacts = match.invented;
     row.mistimed_impacts = match.mistimed;

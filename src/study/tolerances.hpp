@@ -33,6 +33,32 @@ inline constexpr double lasting_contact = 1e-6;
 /// or twice.
 inline constexpr std::size_t mismatches_between_sorts = 2000;
 
+// The one-step audit.
+
+/// Length [steps] of what a method is asked about: the step with the impact, and one more for methods that answer at
+/// the beginning of the next.
+inline constexpr int audited_steps = 2;
+/// Length [steps] of the run of a case: some methods give the answer of the second step at the beginning of the third.
+inline constexpr int longest_case = 3;
+/// Distance [|dv| of the impact] from the true velocity within which a velocity is right: what nobody sees.
+inline constexpr double right_velocity = 0.01;
+/// Impacts [1] that are asked about at most, drawn at random: the 95 % interval of a share is then within 2.2 %.
+inline constexpr std::size_t most_audited = 2000;
+/// Quantile [standard deviations] of the normal distribution that leaves 2.5 % on each side: intervals of 95 %.
+inline constexpr double two_sided_95 = 1.959963984540054;
+/// Questions [1] about the impacts of a scene at least, if it has any: each is asked about at several phases where
+/// there are fewer, so that a share is known to 3 %.
+inline constexpr std::size_t least_asked = 1000;
+/// Steps without an impact [1] that are drawn for invented ones; not counted are those that turn out to have one.
+inline constexpr std::size_t quiet_draws = 2000;
+/// Flights [1] of the truth in memory at most: some 100 bytes each.
+inline constexpr std::size_t most_truth_flights = 1'000'000;
+/// Speed [largest speed of two that meet] that one of them may have after an elastic impact: its own and twice their
+/// difference, which is at most twice that largest.
+inline constexpr double elastic_gain = 5;
+/// Neighbours of neighbours [links]: who may meet the bodies of a case, and who may meet those.
+inline constexpr int neighbour_hops = 2;
+
 // Clocks.
 
 /// Time [s] of a tick of the clock's second number.

@@ -157,7 +157,8 @@ function compare(scene) {
       position_rms: root(mean(distance.flat().map((d) => d * d))), position_max: Math.max(...worst),
       position_final_rms: root(mean(distance.at(-1).map((d) => d * d))), position_final_max: worst.at(-1),
       velocity_rms: root(mean(swift.flat().map((d) => d * d))), energy_error: Math.max(...drift.map(Math.abs)), max_penetration: Math.max(...depths),
-      missed_impacts: lost.length, invented_impacts: row.invented, impacts: row.impacts, rest_jitter: row.jitter ?? null,
+      missed_impacts: lost.length, invented_impacts: row.invented, impacts: row.impacts,
+      audited: null, found: null, late: null, missed: null, wrong: null, invented: null, crowded: null, rest_jitter: row.jitter ?? null,
       divergence_time: divergence < 0 ? null : times[divergence], reference_bound: scene.bound, steps: row.steps, root_solves: row.roots, pair_tests: row.pairs, status: "reached_end",
       mistimed_impacts: Math.min(lost.length, row.invented), reference_impacts: total, time: scene.until,
     });

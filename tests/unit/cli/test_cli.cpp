@@ -258,7 +258,7 @@ TEST_CASE("compare writes its files, a table with a verdict, and a page that rep
     CHECK_THAT(table.out, Contains("method") && Contains("1/60") && Contains("The event method is right") &&
                               Contains("report.html"));
     CHECK_THAT(table.out, Contains("Tolerance: position error 1 mm (0.01 of the smallest radius") &&
-                              Contains("within 1 mm") && Contains("late: impacts that come more than 3 steps"));
+                              Contains("within 1 mm") && Contains("found, late, missed, wrong: of the impacts audited"));
     std::istringstream csv(folder.read("a/compare.csv"));
     std::string line;
     std::getline(csv, line);

@@ -3,14 +3,14 @@
 import { formatStep, isNumber } from "./format.js";
 
 /**
- * Rows with their missed impacts in two parts, `late` (early or late) and `lost` (never there), both null where nothing was
+ * Rows with their missed impacts in two parts, `mistimed` (early or late) and `lost` (never there), both null where nothing was
  * counted: a run that parts from the reference before the first impact has none to miss.
  */
 export function withLateAndLost(rows) {
   return rows.map((row) => {
     const judged = isNumber(row.missed_impacts) && !(isNumber(row.divergence_time) && row.reference_impacts === 0);
     const late = row.mistimed_impacts ?? 0;
-    return { ...row, late: judged && row.mistimed_impacts !== undefined ? late : null, lost: judged ? row.missed_impacts - late : null };
+    return { ...row, mistimed: judged && row.mistimed_impacts !== undefined ? late : null, lost: judged ? row.missed_impacts - late : null };
   });
 }
 
