@@ -69,7 +69,7 @@ struct CompareOptions {
     std::vector<int> substeps{1}, passes{1};  ///< >= 1; every combination is run
     StepOptions step;                         ///< order, literal, seed for all
     double until = 0;                         ///< > 0 [time]
-    int repeats = 3;                          ///< unrecorded runs for the time, >= 1
+    int repeats = 3;                          ///< timed runs at least, >= 1; more until the median is known to 5 %
     double repeat_seconds = 5;                ///< fewer repeats where they would take longer than this for one row [s]
     std::optional<double> tolerance;  ///< position error that the verdict asks for [length]; none: `default_tolerance`
     std::size_t intervals = study_intervals;
@@ -124,24 +124,27 @@ struct CompareRow {
     std::string method;
     std::optional<double> dt;                          ///< none for `event` [time]
     std::optional<int> substeps, passes;               ///< none for `event`
-    double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median and spread of `repeats` unrecorded runs [s]
+    double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median, least and greatest of `repeats` timed runs [s]
+    double cpu_low = 0, cpu_high = 0;                  ///< interval of the median, 95 % from six repeats on [s]
     int repeats = 0;  ///< 0: the recorded run alone was timed, it was too long to repeat
     /// Errors up to the end of the reference; none if that is before the first sample after the start [length]
     std::optional<double> position_rms, position_max;
     std::optional<double> position_final_rms,
-        position_final_max;              ///< at `until`; none if reference or run ends before [length]
+        position_final_max;              ///< at the end of what is compared; none if the run ends before [length]
     std::optional<double> velocity_rms;  ///< [length/time]
     std::optional<double> energy_error;  ///< max |E-E_ref| / max kinetic energy of the reference
-    double max_penetration = 0;          ///< [length]
+    double max_penetration = 0;          ///< discrete: before correction [length]
+    double overlap_left = 0;             ///< at samples, after correction [length]
     std::int64_t missed_impacts = 0, invented_impacts = 0;  ///< up to divergence_time
     /// Missed impacts that came, but more than 3 steps early or late: the pair has as many impacts left over.
     std::int64_t mistimed_impacts = 0;
     std::int64_t reference_impacts = 0;  ///< that could have been missed
     std::int64_t impacts = 0;
-    std::optional<Audit> audit;             ///< none where there is no truth or reference to ask
-    std::optional<double> rest_jitter;      ///< none if nothing rests in the reference [length/time]
-    std::optional<double> divergence_time;  ///< none: never further than 0.01 r_min from the reference [time]
-    double reference_bound = 0;             ///< [length]
+    std::optional<Audit> audit;                    ///< none where there is no truth or reference to ask
+    std::optional<std::int64_t> absorbed_impacts;  ///< event: impacts of the reference, slower than v_c, taken for rest
+    std::optional<double> rest_jitter;             ///< none if nothing rests in the reference [length/time]
+    std::optional<double> divergence_time;         ///< none: never further than 0.01 r_min from the reference [time]
+    double reference_bound = 0;                    ///< [length]
     std::int64_t steps = 0, root_solves = 0, pair_tests = 0;
     Status status = Status::reached_end;
     std::string message;  ///< of the run, for people
@@ -164,9 +167,10 @@ struct ReferenceSummary {
 
 struct Comparison {
     double until = 0;                  ///< end asked for [time]
+    double compared_until = 0;         ///< end of what the rows cover: errors, counts and times [time]
     double tolerance = 0;              ///< [length]
     bool interrupted = false;          ///< rows are those finished before
-    std::vector<double> sample_times;  ///< all, up to `until` [time]
+    std::vector<double> sample_times;  ///< all, up to `compared_until` [time]
     ReferenceSummary reference;
     AuditSummary audit;
     std::vector<CompareRow> rows;
@@ -177,7 +181,7 @@ struct Comparison {
 /// lies within [1e-4, 0.5] of the smallest radius, otherwise 0.01 of the smallest radius.
 double default_tolerance(const Scene& scene);
 
-/// Reference, then for each method and step one recorded run (errors), then unrecorded ones (time).
+/// Reference, then for each method and step one recorded run (errors), then timed ones that give the same samples.
 /// \pre the scene is valid, options in range. \throws InputError for unknown method names.
 Comparison compare_methods(const Scene& scene, const CompareOptions& options);
 

@@ -1,5 +1,6 @@
 #include "cli/compare_audit.hpp"
 
+#include "cli/limits.hpp"
 #include "study/share.hpp"
 #include "study/words.hpp"
 
@@ -9,28 +10,22 @@
 
 namespace carom::cli {
 
-namespace {
-
-/// A share in per cent: three digits, which are what some thousand cases can tell.
-std::string percent(double share)
-{
-    return fmt::format("{:.3g}", 100 * share);
-}
-
-}  // namespace
-
 std::string share_cell(const std::optional<Audit>& audit, std::int64_t Audit::*part, std::int64_t Audit::*whole)
 {
     if (!audit || (*audit).*whole == 0) return "-";
     if ((*audit).*part == 0) return "0";
-    return percent(study::wilson_share((*audit).*part, (*audit).*whole).value) + " %";
+    const std::string text =
+        fmt::format("{:.3g} %", per_cent * study::wilson_share((*audit).*part, (*audit).*whole).value);
+    return text;
 }
 
 std::string share_with_interval(const std::optional<Audit>& audit, std::int64_t Audit::*part)
 {
     if (!audit || audit->audited == 0) return "-";
     const study::Share share = study::wilson_share((*audit).*part, audit->audited);
-    return fmt::format("{} % ({}-{})", percent(share.value), percent(share.low), percent(share.high));
+    const std::string text =
+        fmt::format("{:.3g} % ({:.3g}-{:.3g})", per_cent * share.value, per_cent * share.low, per_cent * share.high);
+    return text;
 }
 
 std::string audit_line(const Comparison& comparison)

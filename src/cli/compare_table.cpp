@@ -2,6 +2,7 @@
 #include "cli/tables.hpp"
 
 #include "study/compare_columns.hpp"
+#include "study/cost_ratio.hpp"
 #include "study/words.hpp"
 
 #include <fmt/format.h>
@@ -14,14 +15,15 @@ namespace carom::cli {
 const char* const compare_legend =
     "max error: farthest that a sphere is from the reference at any of 200 sample times; at end: at the last of them\n"
     "energy err: most that the energy is off at a sample time, of the reference's largest kinetic energy\n"
-    "overlap: deepest, for a stepper before it corrects; jitter: rms speed of what rests in the reference\n"
+    "overlap: deepest, for a stepper before it corrects; left: after it, at sample times; jitter: rms speed of what "
+    "rests in the reference\n"
     "found, late, missed, wrong: of the impacts audited, with the interval of 95 %: answered in their step with the\n"
     "  right velocity; in the step after; not at all; with another velocity; crowded: not audited, another is too "
     "near\n"
     "invented: two steps of a body without an impact in which it answers one; event: beside the reference's impacts\n"
     "run missed, run invented: impacts of the whole run that never come, or that the reference has not\n"
     "diverges: when a sphere is first off by 0.01 of the smallest radius; impacts are counted up to then\n"
-    "CPU: median of the repeats; x event: that over the event run's\n";
+    "CPU: median of the repeats, samples included; x event: that over the event run's, with the interval of 95 %\n";
 
 namespace {
 
@@ -72,6 +74,14 @@ std::string status_text(const CompareRow& row)
     return row.status == Status::reached_end ? status : status + " at " + time_text(row.time, "");
 }
 
+/// "140 (130-150)"; the interval only where two digits show it.
+std::string ratio_text(const std::optional<study::Ratio>& ratio)
+{
+    if (!ratio) return "-";
+    const std::string low = study::two_digits(ratio->low), high = study::two_digits(ratio->high);
+    return study::two_digits(ratio->value) + (low == high ? "" : " (" + low + "-" + high + ")");
+}
+
 std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
 {
     const Units& units = scene.units;
@@ -81,12 +91,6 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
         return std::any_of(comparison.rows.begin(), comparison.rows.end(),
                            [&](const CompareRow& r) { return (r.*member).value_or(1) != 1; });
     };
-    const auto event =
-        std::find_if(comparison.rows.begin(), comparison.rows.end(), [](const CompareRow& r) { return !r.dt; });
-    // A run that stopped early is no measure of what going to the end costs.
-    const double unit_cost =
-        event != comparison.rows.end() && event->status == Status::reached_end ? event->cpu_seconds : 0;
-
     std::vector<Column> all;
     all.push_back({named("method"), [](const CompareRow& r) { return r.method; }});
     all.push_back({named("dt"), [](const CompareRow& r) { return r.dt ? step_text(*r.dt) : "-"; }});
@@ -104,6 +108,7 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
         {named("position_final_max"), [](const CompareRow& r) { return figure(r.position_final_max); }, false});
     all.push_back({named("energy_error"), [](const CompareRow& r) { return figure(r.energy_error); }, false});
     all.push_back({named("max_penetration"), [](const CompareRow& r) { return figure(r.max_penetration); }});
+    all.push_back({named("overlap_left"), [](const CompareRow& r) { return figure(r.overlap_left); }, false});
     all.push_back({named("audited"),
                    [](const CompareRow& r) { return r.audit ? std::to_string(r.audit->audited) : "-"; }, false});
     all.push_back(
@@ -129,15 +134,16 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
                        return never_judged(r) && r.invented_impacts == 0 ? "-" : std::to_string(r.invented_impacts);
                    },
                    false});
+    all.push_back({named("absorbed"),
+                   [](const CompareRow& r) { return r.absorbed_impacts ? std::to_string(*r.absorbed_impacts) : "-"; },
+                   false});
     all.push_back({named("rest_jitter"), [](const CompareRow& r) { return figure(r.rest_jitter); }, false});
     all.push_back({named("divergence_time"),
                    [](const CompareRow& r) { return r.divergence_time ? time_text(*r.divergence_time, "") : "-"; },
                    false});
     all.push_back({named("cpu_seconds"), [](const CompareRow& r) { return seconds_text(r.cpu_seconds); }});
     all.push_back(
-        {"x event",
-         [=](const CompareRow& r) { return unit_cost > 0 ? study::two_digits(r.cpu_seconds / unit_cost) : "-"; },
-         false});
+        {"x event", [&](const CompareRow& r) { return ratio_text(study::cost_ratio(comparison, r)); }, false});
     all.push_back({named("status"), status_text});
     return all;
 }

@@ -1,5 +1,7 @@
 #include "io/compare_files.hpp"
+#include "io/machine.hpp"
 #include "study/compare_columns.hpp"
+#include "study/cost_ratio.hpp"
 #include "study/share.hpp"
 
 #include "io/lift_json.hpp"
@@ -41,7 +43,17 @@ Json audit_json(const std::optional<Audit>& audit)
             {"delay", audit->delay ? Json(*audit->delay) : Json(nullptr)}};
 }
 
-Json row_json(const Scene& scene, const CompareRow& row)
+Json interval_json(double value, double low, double high)
+{
+    return Json::array({value, low, high});
+}
+
+Json machine_json(const Machine& machine)
+{
+    return {{"cpu", machine.cpu}, {"threads", machine.threads}, {"compiler", machine.compiler}};
+}
+
+Json row_json(const Scene& scene, const Comparison& comparison, const CompareRow& row)
 {
     // First the keys of the CSV in its order, then what only JSON carries.
     Json json;
@@ -50,6 +62,9 @@ Json row_json(const Scene& scene, const CompareRow& row)
     json["message"] = row.message;
     json["time"] = row.time;
     json["repeats"] = row.repeats;
+    json["cpu_interval"] = interval_json(row.cpu_seconds, row.cpu_low, row.cpu_high);
+    const std::optional<study::Ratio> ratio = study::cost_ratio(comparison, row);
+    json["cpu_ratio"] = ratio ? interval_json(ratio->value, ratio->low, ratio->high) : Json(nullptr);
     json["reference_impacts"] = row.reference_impacts;
     json["mistimed_impacts"] = row.mistimed_impacts;
     json["missed_at"] = mismatches_json(scene, row.missed);
@@ -73,6 +88,8 @@ std::string compare_json(const Scene& scene, const Comparison& comparison, const
     const ReferenceSummary& reference = comparison.reference;
     Json json = {{"format", "carom-compare/1"}, {"scene", scene.name}};
     json["until"] = comparison.until;
+    json["compared_until"] = comparison.compared_until;
+    json["machine"] = machine_json(this_machine());
     json["tolerance"] = comparison.tolerance;
     json["interrupted"] = comparison.interrupted;
     put_stopped(json, command);
@@ -84,14 +101,11 @@ std::string compare_json(const Scene& scene, const Comparison& comparison, const
                          {"impacts", reference.impacts},
                          {"series", reference.series},
                          {"cpu_seconds", reference.cpu_seconds}};
-    json["audit"] = {{"until", comparison.audit.until},
-                     {"contacts", comparison.audit.contacts},
-                     {"drawn", comparison.audit.drawn},
-                     {"phases", comparison.audit.phases},
-                     {"slow", comparison.audit.slow},
-                     {"persistent", comparison.audit.persistent}};
+    json["audit"] = {{"until", comparison.audit.until}, {"contacts", comparison.audit.contacts},
+                     {"drawn", comparison.audit.drawn}, {"phases", comparison.audit.phases},
+                     {"slow", comparison.audit.slow},   {"persistent", comparison.audit.persistent}};
     json["rows"] = Json::array();
-    for (const CompareRow& row : comparison.rows) json["rows"].push_back(row_json(scene, row));
+    for (const CompareRow& row : comparison.rows) json["rows"].push_back(row_json(scene, comparison, row));
     json["verdict"] = joined(comparison.verdict);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -21,6 +21,7 @@ public:
 
     AuditSummary summary() const;
     bool stopped() const { return truth_.stopped; }
+    const Truth& truth() const { return truth_; }
 
     /// Incomplete where patience ended. \pre a discrete method, its step at most the longest
     Audit audit(const Method& method, Patience& patience);

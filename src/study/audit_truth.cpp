@@ -196,6 +196,10 @@ Truth record_truth(const Scene& scene, double until, const OnProgress& on_progre
     const Outcome outcome = simulate(scene, EventDriven{}, {.until = until}, observer);
     recorder.finish(outcome.time);
     truth.stopped = patience.ended();
+    if (outcome.status != Status::interrupted) {
+        truth.status = outcome.status;
+        truth.message = outcome.message;
+    }
     return truth;
 }
 

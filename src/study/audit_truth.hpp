@@ -31,11 +31,13 @@ struct TruthState {
 /// Flights and impacts of a run. Series of bounces are written out bounce by bounce, down to closings slower than v_c.
 class Truth {
 public:
-    double until = 0;                    ///< the run is known up to here [time]
-    bool stopped = false;                ///< on request, at `until`
-    std::vector<TruthContact> contacts;  ///< closing at v_c or faster, in the order of time
-    std::int64_t slow = 0;               ///< impacts closing slower than v_c, and tails of series, one for each
-    std::int64_t persistent = 0;         ///< contacts that began to last
+    double until = 0;                     ///< the run is known up to here [time]
+    Status status = Status::reached_end;  ///< of the run; so too where only memory ended it
+    std::string message;                  ///< of the run, for people
+    bool stopped = false;                 ///< on request, at `until`
+    std::vector<TruthContact> contacts;   ///< closing at v_c or faster, in the order of time
+    std::int64_t slow = 0;                ///< impacts closing slower than v_c, and tails of series, one for each
+    std::int64_t persistent = 0;          ///< contacts that began to last
     std::vector<std::vector<TruthFlight>> flights;  ///< [sphere], in the order of time
     std::vector<std::vector<double>> impact_times;  ///< [sphere], ascending, each as often as it has impacts [time]
 

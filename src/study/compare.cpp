@@ -1,9 +1,10 @@
 #include "core/expect.hpp"
 #include "core/patience.hpp"
-#include "reference/reference.hpp"
 #include "study/audit.hpp"
 #include "study/clock.hpp"
+#include "study/compared_reference.hpp"
 #include "study/row.hpp"
+#include "study/timing.hpp"
 #include "study/tolerances.hpp"
 #include "study/words.hpp"
 
@@ -62,19 +63,22 @@ std::string label(const Method& method)
     return text;
 }
 
-ReferenceSummary summary(const Reference& reference, double cpu_seconds)
+ReferenceSummary summary(const study::ComparedReference& compared, double cpu_seconds)
 {
+    const Reference& reference = compared.reference;
     ReferenceSummary result;
     result.kind = reference.kind == Reference::Kind::closed_form ? "closed_form" : "multiprecision";
     result.bound = reference.bound;
     result.until = reference.until;
-    result.reason = reference.reason;
+    result.reason = compared.reason;
     result.impacts = static_cast<std::int64_t>(reference.impacts.size());
     result.series = static_cast<std::int64_t>(reference.series.size());
-    result.sample_times = reference.sample_times;
     result.cpu_seconds = cpu_seconds;
-    for (const auto& states : reference.samples) {
-        if (states.size() > max_track_spheres) break;
+    for (std::size_t moment = 0; moment < reference.samples.size(); ++moment) {
+        if (compared.times.goes_on(moment)) continue;
+        result.sample_times.push_back(compared.times.grid[compared.times.sample[moment]]);
+        const std::vector<BodyState>& states = reference.samples[moment];
+        if (states.size() > max_track_spheres) continue;
         auto& frame = result.tracks.emplace_back();
         for (const BodyState& s : states) {
             const Eigen::Vector3f x = s.position.cast<float>();
@@ -85,15 +89,28 @@ ReferenceSummary summary(const Reference& reference, double cpu_seconds)
 }
 
 /// Runs for the time, and what they say of it.
-void time_row(const study::RowTask& task, const CompareOptions& options, study::RecordedRow& recorded)
+void time_row(const study::TimedRun& run, const CompareOptions& options, study::RecordedRow& recorded)
 {
-    std::vector<double> times = study::time_runs(task, recorded.cpu_seconds, {options.repeats, options.repeat_seconds});
+    std::vector<double> times = study::time_runs(run, recorded.cpu_seconds, {options.repeats, options.repeat_seconds});
     CompareRow& row = recorded.row;
     row.repeats = static_cast<int>(times.size());
     if (times.empty()) times.push_back(recorded.cpu_seconds);
-    row.cpu_seconds = study::median(times);
-    row.cpu_min = *std::min_element(times.begin(), times.end());
-    row.cpu_max = *std::max_element(times.begin(), times.end());
+    const study::MedianTime time = study::median_time(times);
+    row.cpu_seconds = time.median;
+    row.cpu_min = time.min;
+    row.cpu_max = time.max;
+    row.cpu_low = time.low;
+    row.cpu_high = time.high;
+}
+
+/// An event run that stops beyond what is compared says so all the same.
+void tell_how_it_ends(const study::Truth& whole, double until, CompareRow& row)
+{
+    if (row.dt || row.status != Status::reached_end || whole.status == Status::reached_end || whole.until >= until)
+        return;
+    row.status = whole.status;
+    row.message = whole.message;
+    row.time = whole.until;
 }
 
 }  // namespace
@@ -113,39 +130,41 @@ Comparison compare_methods(const Scene& scene, const CompareOptions& options)
     Comparison result;
     result.until = options.until;
     result.tolerance = options.tolerance.value_or(default_tolerance(scene));
-    result.sample_times = sample_grid(options.until, options.intervals);
 
     const double start = study::thread_cpu_seconds();
-    const Reference reference = make_reference(scene, options.until, result.sample_times, options.on_progress);
-    result.reference = summary(reference, study::thread_cpu_seconds() - start);
-    result.interrupted = reference.stopped;
+    const study::ComparedReference compared =
+        study::make_compared_reference(scene, options.until, options.intervals, options.on_progress);
+    result.reference = summary(compared, study::thread_cpu_seconds() - start);
+    result.compared_until = compared.until;
+    result.sample_times = compared.times.grid;
+    result.interrupted = compared.reference.stopped;
 
-    std::optional<study::Auditor> auditor;  // none where only the event method runs
-    if (const double longest = longest_step(methods); longest > 0 && !result.interrupted) {
-        auditor.emplace(scene, options.until, longest, options.on_progress);
-        result.audit = auditor->summary();
-        result.interrupted = auditor->stopped();
-    }
+    study::Auditor auditor(
+        scene, options.until, longest_step(methods),
+        result.interrupted ? OnProgress([](const Progress&) { return false; }) : options.on_progress);
+    result.audit = auditor.summary();
+    result.interrupted = result.interrupted || auditor.stopped();
 
     double total = 0, done = 0;
-    for (const Method& method : methods) total += weight(method, options.until);
+    for (const Method& method : methods) total += weight(method, compared.until);
     Patience patience(options.on_progress);
     patience.begin("methods", total, "steps");
     for (const Method& method : methods) {
         // Asked here too: a run may be too short to ask itself.
         patience.name(label(method));
         if (result.interrupted || !patience.lasts(done)) break;
-        const double work = weight(method, options.until);
-        study::RowTask task{scene, reference, method, {}, result.sample_times, {}};
-        task.run.until = options.until;
+        const double work = weight(method, compared.until);
+        study::RowTask task{scene, compared.reference, method, {}, compared.times, auditor.truth(), {}};
+        task.run.until = compared.until;
         const double one_run = work / (1 + options.repeats);
-        task.on_progress = [&](double time) { return patience.lasts(done + one_run * time / options.until); };
+        task.on_progress = [&](double time) { return patience.lasts(done + one_run * time / compared.until); };
         study::RecordedRow recorded = study::record_row(task);
         if (recorded.interrupted) break;
         done += one_run;
-        task.on_progress = [&](double) { return patience.lasts(); };
-        if (step_options(method) != nullptr) recorded.row.audit = auditor->audit(method, patience);
-        time_row(task, options, recorded);
+        if (step_options(method) != nullptr) recorded.row.audit = auditor.audit(method, patience);
+        tell_how_it_ends(auditor.truth(), options.until, recorded.row);
+        time_row({scene, method, task.run, compared.times.asked, [&](double) { return patience.lasts(); }}, options,
+                 recorded);
         result.rows.push_back(std::move(recorded.row));
         done += work - one_run;
     }

@@ -40,6 +40,10 @@ inline CompareCell as_cell(std::int64_t value)
 {
     return std::optional(value);
 }
+inline CompareCell as_cell(std::optional<std::int64_t> value)
+{
+    return value;
+}
 inline CompareCell as_cell(std::optional<int> value)
 {
     return value ? std::optional<std::int64_t>(*value) : std::nullopt;
@@ -67,7 +71,7 @@ struct CompareColumn {
 };
 
 /// In the order of compare.csv. Names are stable: files and pages of others read them.
-inline constexpr std::array<CompareColumn, 31> compare_columns{{
+inline constexpr std::array<CompareColumn, 33> compare_columns{{
     {"method", "method", ColumnUnit::none, "How the scene was simulated. \"event\" is exact in time and takes no step.",
      cell_of<&CompareRow::method>},
     {"dt", "dt", ColumnUnit::time, "Length of a time step; none for the event-driven method.",
@@ -77,7 +81,8 @@ inline constexpr std::array<CompareColumn, 31> compare_columns{{
     {"passes", "passes", ColumnUnit::none, "How often the contacts are visited in a substep.",
      cell_of<&CompareRow::passes>},
     {"cpu_seconds", "CPU", ColumnUnit::seconds,
-     "Processor time of one run without recording: the median of the repeats.", cell_of<&CompareRow::cpu_seconds>},
+     "Processor time of one run up to the end of what is compared, giving its samples: the median of the repeats.",
+     cell_of<&CompareRow::cpu_seconds>},
     {"cpu_min", "", ColumnUnit::seconds, "The fastest repeat.", cell_of<&CompareRow::cpu_min>},
     {"cpu_max", "", ColumnUnit::seconds, "The slowest repeat.", cell_of<&CompareRow::cpu_max>},
     {"position_rms", "", ColumnUnit::length,
@@ -99,6 +104,8 @@ inline constexpr std::array<CompareColumn, 31> compare_columns{{
      "Deepest overlap seen; for discrete methods at the end of a substep, before correction, which a chart over time "
      "does not see.",
      cell_of<&CompareRow::max_penetration>},
+    {"overlap_left", "left", ColumnUnit::length, "Deepest overlap at a sample time, after the method's corrections.",
+     cell_of<&CompareRow::overlap_left>},
     {"missed_impacts", "run missed", ColumnUnit::none,
      "Impacts of the reference that the method did not find within 3 steps: those that came early or late, and those "
      "that never came. Counted up to the divergence.",
@@ -130,6 +137,10 @@ inline constexpr std::array<CompareColumn, 31> compare_columns{{
     {"crowded", "crowded", ColumnUnit::none,
      "Impacts not audited at this step: one of the bodies has another contact within the two steps.",
      audit_cell<&Audit::crowded>},
+    {"absorbed", "absorbed", ColumnUnit::none,
+     "Impacts of the reference closing slower than v_c that the event method took for rest, neither found nor missed; "
+     "its errors say what that costs.",
+     cell_of<&CompareRow::absorbed_impacts>},
     {"rest_jitter", "jitter", ColumnUnit::speed, "Root mean square speed of bodies that rest in the reference.",
      cell_of<&CompareRow::rest_jitter>},
     {"divergence_time", "diverges", ColumnUnit::time,

@@ -19,6 +19,12 @@ inline constexpr double default_tolerance_part = 0.01;
 /// Distance [smallest radius] from the reference beyond which a run has diverged: an impact turns it into an angle of a
 /// hundredth, and two or three impacts into other contacts.
 inline constexpr double divergence = 0.01;
+/// Distance [interval between samples] of a sample from an impact at which it falls on it: far above the rounding of
+/// times, far below what a sample could otherwise show.
+inline constexpr double on_impact = 1e-9;
+/// Flight [interval between samples] of a bounce below which its impacts are not kept from samples: it changes nothing
+/// that a figure shows.
+inline constexpr double shortest_sampled_flight = 1e-6;
 /// Times of one impact [steps] in two runs differ by at most this: methods with a step see it at the end of one.
 inline constexpr double match_steps = 3;
 /// The same without a step [time of the run], at least: far below the time between impacts, far above rounding.
@@ -46,6 +52,8 @@ inline constexpr double right_velocity = 0.01;
 inline constexpr std::size_t most_audited = 2000;
 /// Quantile [standard deviations] of the normal distribution that leaves 2.5 % on each side: intervals of 95 %.
 inline constexpr double two_sided_95 = 1.959963984540054;
+/// Chance [1] that may lie beyond one end of an interval of 95 %.
+inline constexpr double one_sided_95 = 0.025;
 /// Questions [1] about the impacts of a scene at least, if it has any: each is asked about at several phases where
 /// there are fewer, so that a share is known to 3 %.
 inline constexpr std::size_t least_asked = 1000;
@@ -69,6 +77,13 @@ inline constexpr double resolved_by_clock = 2e-3;
 inline constexpr double most_runs_in_a_row = 1000;
 /// Repeats [runs] of a timing by default: the median of three leaves one disturbance out.
 inline constexpr int timing_repeats = 3;
+/// Spread [median] of the median of repeats, its interval of 95 %, at which timing ends: a ratio is then known to a
+/// tenth.
+inline constexpr double timing_spread = 0.05;
+/// Repeats [runs] of a timing at most: the median's interval no longer shrinks much.
+inline constexpr int most_timings = 30;
+/// Repeats [runs] from which on the least and the greatest are not the ends of the interval of 95 %: 2^(1-6) is 3 %.
+inline constexpr std::size_t fewest_for_interval = 6;
 /// Time [s] for all repeats together: nobody waits longer for a row.
 inline constexpr double timing_budget = 5;
 /// Work of the event method [steps], a guess for the progress line only.

@@ -1,4 +1,4 @@
-#include "study/row.hpp"
+#include "study/timing.hpp"
 #include "study/words.hpp"
 
 #include <carom/study.hpp>
