@@ -19,8 +19,7 @@ public:
 
     void advance(System& system, const Substep& substep)
     {
-        accelerate(system.bodies, system.gravity, substep.length);  // A
-        move(system.bodies, substep.length);
+        system.motion.fly(system.bodies, substep.length);  // A
         for (int pass = 0; pass < method_.passes && !system.patience.ended(); ++pass) {
             detect(system, pass == 0);
             const bool respond_now = pass == 0 || !method_.literal;
