@@ -25,9 +25,11 @@ struct EventDriven {
     bool certified = false;
 };
 
-/// Order in which a discrete method visits the contacts of one pass.
-enum class ContactOrder : std::uint8_t { index, reverse, random, deepest };
-inline constexpr std::array<std::string_view, 4> contact_order_names{"index", "reverse", "random", "deepest"};
+/// Order in which a discrete method visits the contacts of one pass: pairs by a, then b; the same from the end; at
+/// random; the deepest first, as the pass begins. `jacobi`, of pbd alone: index order over the list of overlaps as they
+/// are before any is corrected, so that what a correction causes waits for the next pass or step.
+enum class ContactOrder : std::uint8_t { index, reverse, random, deepest, jacobi };
+inline constexpr std::array<std::string_view, 5> contact_order_names{"index", "reverse", "random", "deepest", "jacobi"};
 
 /// Motion of a discrete method between its contacts, with h = dt / substeps. `euler`: semi-implicit Euler, v += h g,
 /// then p += h v. `parabola`: p += h v + h^2 g / 2, v += h g, which is exact in flight.
@@ -45,7 +47,8 @@ struct StepOptions {
     Integrator integrator = Integrator::euler;
 };
 
-/// Position based: move, then respond and project overlaps (after Mueller et al., Position based dynamics, 2007).
+/// Position based: move, then, pair by pair in one pass, respond and project the overlap away; each pair is tested
+/// where those before it have left it (after Mueller et al., Position based dynamics, 2007).
 struct PositionBased : StepOptions {
     static constexpr std::string_view method_name = "pbd";
     bool mass_weighted = false;  ///< share a projection by inverse mass instead of half and half

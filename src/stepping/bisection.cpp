@@ -5,9 +5,9 @@
 /// Each sphere carries its own moment: position and velocity at `since`, straight or on a parabola from there to its
 /// `target` at the end of the substep. A response changes two of them; only their contacts are looked for again. (The
 /// bookkeeping is this project's own.)
-#include "scene/sphere_grid.hpp"
 #include "stepping/bracket.hpp"
 #include "stepping/driver.hpp"
+#include "stepping/moved_spheres.hpp"
 #include "stepping/step_paths.hpp"
 #include "stepping/stepping.hpp"
 #include "stepping/tolerances.hpp"
@@ -188,14 +188,9 @@ private:
 
     void go_on(const System& system, BodyId i)
     {
-        const bool moved_before = paths_.is_changed(i);
         const Vec3 before = paths_.target[index(i)];
         paths_.go_on(system.bodies, i);
-        const Vec3& target = paths_.target[index(i)];
-        if (moved_before)
-            moved_.move(index(i), before, target, system.bodies.radius[index(i)]);
-        else
-            moved_.insert(index(i), target, system.bodies.radius[index(i)]);
+        moved_.move(i, before, paths_.target[index(i)]);
     }
 
     /// Contacts of sphere i at its new target, except that with `later_partner`, which finds it when its own turn
@@ -206,19 +201,12 @@ private:
         const Vec3 target = paths_.target[index(i)];
         const double radius = bodies.radius[index(i)];
         partners_.clear();
-        const auto test = [&](BodyId j) {
+        moved_.for_each_near(system.detector, target, radius, [&](BodyId j) {
             if (j == i || j == later_partner) return;
             if (system.detector.is_fixed(index(i)) && system.detector.is_fixed(index(j))) return;
             ++system.detector.tests;
             const Vec3 d = target - paths_.target[index(j)];
             if (overlap(d.x(), d.y(), d.z(), radius + bodies.radius[index(j)])) partners_.push_back(j);
-        };
-        system.detector.for_each_near(target, radius, [&](BodyId j) {
-            if (!paths_.is_changed(j)) test(j);
-        });
-        moved_.visit_near(target, radius, [&](std::size_t j) {
-            test(static_cast<BodyId>(j));
-            return true;
         });
         std::sort(partners_.begin(), partners_.end());  // the order of finding must not matter
         for (const BodyId j : partners_) {
@@ -235,6 +223,7 @@ private:
     {
         switch (system.arranger.order()) {
             case ContactOrder::index:
+            case ContactOrder::jacobi:
                 return 0;
             case ContactOrder::reverse:
                 return -((std::int64_t{a} << 31) + b);
@@ -248,7 +237,7 @@ private:
 
     bool settling_ = false;  ///< too many responses in this substep
     StepPaths paths_;
-    SphereGrid moved_;  ///< those with a corner in this substep, at their targets; the detector knows the others
+    MovedSpheres moved_;  ///< by their targets
     std::vector<BodyId> partners_;
     std::vector<Pending> queue_;
     std::vector<Contact> contacts_;

@@ -16,11 +16,7 @@ namespace carom::stepping {
 class StepPaths {
 public:
     explicit StepPaths(std::size_t spheres)
-        : target(spheres),
-          since_(spheres),
-          acceleration_(spheres, Vec3::Zero()),
-          changes_(spheres),
-          is_changed_(spheres)
+        : target(spheres), since_(spheres), acceleration_(spheres, Vec3::Zero()), changes_(spheres)
     {
     }
 
@@ -30,8 +26,6 @@ public:
         length_ = length;
         is_bent_ = motion.integrator() == Integrator::parabola;
         if (!is_bent_) motion.accelerate(bodies, length);
-        for (const BodyId i : changed_) is_changed_[index(i)] = 0;
-        changed_.clear();
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             since_[i] = 0;
             if (is_bent_ && bodies.inverse_mass[i] > 0) acceleration_[i] = motion.gravity();
@@ -75,16 +69,12 @@ public:
     {
         target[index(i)] = place(bodies, i, length_);
         ++changes_[index(i)];
-        if (is_changed_[index(i)]) return;
-        is_changed_[index(i)] = 1;
-        changed_.push_back(i);
     }
 
     double length() const { return length_; }
     bool is_bent() const { return is_bent_; }
     double since(BodyId i) const { return since_[index(i)]; }
     std::uint64_t changes(BodyId i) const { return changes_[index(i)]; }  ///< of velocity, since the run began
-    bool is_changed(BodyId i) const { return is_changed_[index(i)] != 0; }
 
     std::vector<Vec3> target;  ///< [length]
 
@@ -96,8 +86,6 @@ private:
     std::vector<double> since_;       ///< since the begin of the substep [time]
     std::vector<Vec3> acceleration_;  ///< [length/time^2]
     std::vector<std::uint64_t> changes_;
-    std::vector<std::uint8_t> is_changed_;
-    std::vector<BodyId> changed_;
 };
 
 }  // namespace carom::stepping
