@@ -67,7 +67,7 @@ struct CompareOptions {
     std::vector<std::string> methods;         ///< as `make_method`; duplicates are run twice
     std::vector<double> dt;                   ///< > 0, for discrete methods [time]
     std::vector<int> substeps{1}, passes{1};  ///< >= 1; every combination is run
-    StepOptions step;                         ///< order, literal, seed for all
+    StepOptions step;                         ///< order, integrator, literal, seed for all
     double until = 0;                         ///< > 0 [time]
     int repeats = 3;                          ///< timed runs at least, >= 1; more until the median is known to 5 %
     double repeat_seconds = 5;                ///< fewer repeats where they would take longer than this for one row [s]

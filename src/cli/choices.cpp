@@ -128,15 +128,26 @@ std::string Choices::text(const std::string& name) const
     return read(name, std::string(), [](const std::string& word) { return word; });
 }
 
-ContactOrder Choices::order() const
+template <typename T>
+T Choices::named(const std::string& name, T otherwise, T (*value_of)(std::string_view)) const
 {
-    return read("order", ContactOrder::index, [](const std::string& text) {
+    return read(name, otherwise, [value_of](const std::string& text) {
         try {
-            return contact_order(text);
+            return value_of(text);
         } catch (const InputError& error) {
             throw std::invalid_argument(error.what());
         }
     });
+}
+
+StepOptions Choices::step(std::uint64_t seed) const
+{
+    StepOptions step;
+    step.order = named("order", step.order, contact_order);
+    step.integrator = named("integrator", step.integrator, integrator);
+    step.literal = flag("literal");
+    step.seed = seed;
+    return step;
 }
 
 bool Choices::flag(const std::string& name) const
@@ -166,15 +177,12 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
                          const std::string& file)
 {
     const Choices choices(args.given, scene.run, file + ": /run");
-    choices.expect_known({"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events",
+    choices.expect_known({"method", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "max_events",
                           "max_seconds", "final", "kernel", "certified", "impact", "guard"});
-    StepOptions step;
+    StepOptions step = choices.step(global.seed.value_or(scene.seed));
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();
     step.passes = choices.integers("passes", {step.passes}).front();
-    step.order = choices.order();
-    step.literal = choices.flag("literal");
-    step.seed = global.seed.value_or(scene.seed);
     RunSettings settings;
     settings.method = make_method(choices.methods("method", {"event"}).front(), step);
     if (auto* event = std::get_if<EventDriven>(&settings.method)) {
@@ -193,8 +201,8 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
                                  const std::string& file)
 {
     const Choices choices(args.given, scene.compare, file + ": /compare");
-    choices.expect_known(
-        {"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance", "max_seconds"});
+    choices.expect_known({"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats",
+                          "tolerance", "max_seconds"});
     CompareSettings settings;
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
     CompareOptions& options = settings.compare;
@@ -202,9 +210,7 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
     options.dt = choices.numbers("dt", {1.0 / 60, 1.0 / 240, 1.0 / 1000});
     options.substeps = choices.integers("substeps", options.substeps);
     options.passes = choices.integers("passes", options.passes);
-    options.step.order = choices.order();
-    options.step.literal = choices.flag("literal");
-    options.step.seed = global.seed.value_or(scene.seed);
+    options.step = choices.step(global.seed.value_or(scene.seed));
     options.until = choices.number("until", scene.end_time);
     options.repeats = static_cast<int>(std::min(choices.integer("repeats", options.repeats), most_repeats));
     if (choices.has("tolerance")) options.tolerance = choices.number("tolerance", 0);

@@ -14,7 +14,7 @@ std::vector<std::string> ignored_options(const GivenOptions& given, const Method
 {
     const bool steps = step_options(method) != nullptr;
     std::vector<std::string> notes;
-    for (const char* option : {"dt", "substeps", "passes", "order"})
+    for (const char* option : {"dt", "substeps", "passes", "order", "integrator"})
         if (!steps && given.contains(option))
             notes.push_back(std::string("--") + option + " has no effect: " + std::string(name(method)) +
                             " takes no steps (name a stepping method: --method pbd)");

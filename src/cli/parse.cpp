@@ -47,7 +47,10 @@ std::string joined(const Names& names)
 
 void add_step_options(CLI::App& app, GivenOptions& given)
 {
-    add_given(app, given, "--order", "ORDER", "Order of contacts in a pass: index, reverse, random, deepest [index]");
+    add_given(app, given, "--order", "ORDER",
+              "Order of contacts in a pass: " + joined(contact_order_names) + " (pbd only) [index]");
+    add_given(app, given, "--integrator", "I",
+              "Motion between contacts: " + joined(integrator_names) + ", which is exact in flight [euler]");
     app.add_flag_callback(
         "--literal", [&given] { given["literal"] = "true"; },
         "pbd only: respond to separating contacts too, as the original text says");

@@ -2,19 +2,20 @@
 /// Bisection, going backward in time: move to the end of the substep; if spheres overlap there, find the first contact
 /// by bisection, respond there, and go on with the rest of the substep. What only crosses between two looks is missed.
 ///
-/// Each sphere carries its own moment: position at `since`, straight from there to its `target` at the end of the
-/// substep. A response changes two of them; only their contacts are looked for again. (The bookkeeping is this
-/// project's own.)
-#include "scene/sphere_grid.hpp"
+/// Each sphere carries its own moment: position and velocity at `since`, straight or on a parabola from there to its
+/// `target` at the end of the substep. A response changes two of them; only their contacts are looked for again. (The
+/// bookkeeping is this project's own.)
 #include "stepping/bracket.hpp"
 #include "stepping/driver.hpp"
+#include "stepping/moved_spheres.hpp"
+#include "stepping/step_paths.hpp"
 #include "stepping/stepping.hpp"
-#include "stepping/straight_paths.hpp"
 #include "stepping/tolerances.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -60,8 +61,7 @@ private:
     void begin(System& system, const Substep& substep)
     {
         Bodies& bodies = system.bodies;
-        accelerate(bodies, system.gravity, substep.length);
-        paths_.begin(bodies, substep.length);
+        paths_.begin(bodies, system.motion, substep.length);
         settling_ = false;
         queue_.clear();
         moved_.clear();
@@ -74,7 +74,7 @@ private:
 
     void end(System& system)
     {
-        system.bodies.position.swap(paths_.target);
+        paths_.end(system.bodies);
         // Every pair that overlaps now was seen, because it was looked for at these very positions.
         for (const auto& [a, b] : seen_) {
             const double gap =
@@ -98,6 +98,13 @@ private:
         return gap_at(system, a, b, pa, system.detector.is_wall(b) ? pa : paths_.place(system.bodies, b, time));
     }
 
+    /// Rate of the gap at that time: negative when approaching [length/time].
+    double gap_rate(const System& system, BodyId a, BodyId b, const Vec3& normal, double time) const
+    {
+        const Vec3 v = paths_.velocity(system.bodies, a, time);
+        return (system.detector.is_wall(b) ? v : Vec3(v - paths_.velocity(system.bodies, b, time))).dot(normal);
+    }
+
     std::uint64_t stamp(const System& system, BodyId a, BodyId b) const
     {
         return paths_.changes(a) + (system.detector.is_wall(b) ? 0 : paths_.changes(b));
@@ -114,13 +121,30 @@ private:
         if (start.value > 0) {
             ++system.root_solves;
             time = bisect(
-                now, paths_.length(), [&](double t) { return gap_at(system, a, b, t).value <= 0; },
-                system.detector.tests);
-        } else if (normal_velocity(system.bodies, {start.value, a, b, start.normal}) >= 0) {
-            return;  // an overlap that is on its way out: on straight paths it stays so
+                       now, paths_.length(), [&](double t) { return gap_at(system, a, b, t).value <= 0; },
+                       system.detector.tests)
+                       .before;
+        } else if (gap_rate(system, a, b, start.normal, now) >= 0) {
+            if (!paths_.is_bent()) return;  // an overlap that is on its way out: on straight paths it stays so
+            const auto closed_again = closing_after_turn(system, a, b, now);
+            if (!closed_again) return;
+            time = *closed_again;
         }
         queue_.push_back({time, rank(system, a, b, end_gap), a, b, stamp(system, a, b)});
         std::push_heap(queue_.begin(), queue_.end(), later);
+    }
+
+    /// Two that overlap or touch, move apart, and overlap at their targets: when do they close again, if they do? On
+    /// parabolas a gap that turns to shrink goes on to do so, as long as one of the two is a plane or all but still.
+    std::optional<double> closing_after_turn(System& system, BodyId a, BodyId b, double now)
+    {
+        const auto shrinks = [&](double t) { return gap_rate(system, a, b, gap_at(system, a, b, t).normal, t) < 0; };
+        const auto closed = [&](double t) { return gap_at(system, a, b, t).value <= 0; };
+        if (!shrinks(paths_.length())) return {};
+        ++system.root_solves;
+        const Bracket turn = bisect(now, paths_.length(), shrinks, system.detector.tests);
+        if (closed(turn.after)) return turn.after;
+        return bisect(turn.after, paths_.length(), closed, system.detector.tests).before;
     }
 
     /// While settling: do the two, as they move now, still overlap at the end? \param next gets a time that both have
@@ -150,7 +174,7 @@ private:
     {
         const Gap gap = gap_at(system, next.a, next.b, next.time);
         const Contact contact{gap.value, next.a, next.b, gap.normal};
-        if (normal_velocity(system.bodies, contact) >= 0) return false;
+        if (gap_rate(system, next.a, next.b, gap.normal, next.time) >= 0) return false;
         const bool pair = !system.detector.is_wall(next.b);
         paths_.stop_at(system.bodies, next.a, next.time);
         if (pair) paths_.stop_at(system.bodies, next.b, next.time);
@@ -164,14 +188,9 @@ private:
 
     void go_on(const System& system, BodyId i)
     {
-        const bool moved_before = paths_.is_changed(i);
         const Vec3 before = paths_.target[index(i)];
         paths_.go_on(system.bodies, i);
-        const Vec3& target = paths_.target[index(i)];
-        if (moved_before)
-            moved_.move(index(i), before, target, system.bodies.radius[index(i)]);
-        else
-            moved_.insert(index(i), target, system.bodies.radius[index(i)]);
+        moved_.move(i, before, paths_.target[index(i)]);
     }
 
     /// Contacts of sphere i at its new target, except that with `later_partner`, which finds it when its own turn
@@ -182,19 +201,12 @@ private:
         const Vec3 target = paths_.target[index(i)];
         const double radius = bodies.radius[index(i)];
         partners_.clear();
-        const auto test = [&](BodyId j) {
+        moved_.for_each_near(system.detector, target, radius, [&](BodyId j) {
             if (j == i || j == later_partner) return;
             if (system.detector.is_fixed(index(i)) && system.detector.is_fixed(index(j))) return;
             ++system.detector.tests;
             const Vec3 d = target - paths_.target[index(j)];
             if (overlap(d.x(), d.y(), d.z(), radius + bodies.radius[index(j)])) partners_.push_back(j);
-        };
-        system.detector.for_each_near(target, radius, [&](BodyId j) {
-            if (!paths_.is_changed(j)) test(j);
-        });
-        moved_.visit_near(target, radius, [&](std::size_t j) {
-            test(static_cast<BodyId>(j));
-            return true;
         });
         std::sort(partners_.begin(), partners_.end());  // the order of finding must not matter
         for (const BodyId j : partners_) {
@@ -211,6 +223,7 @@ private:
     {
         switch (system.arranger.order()) {
             case ContactOrder::index:
+            case ContactOrder::jacobi:
                 return 0;
             case ContactOrder::reverse:
                 return -((std::int64_t{a} << 31) + b);
@@ -223,8 +236,8 @@ private:
     }
 
     bool settling_ = false;  ///< too many responses in this substep
-    StraightPaths paths_;
-    SphereGrid moved_;  ///< those with a corner in this substep, at their targets; the detector knows the others
+    StepPaths paths_;
+    MovedSpheres moved_;  ///< by their targets
     std::vector<BodyId> partners_;
     std::vector<Pending> queue_;
     std::vector<Contact> contacts_;

@@ -1,8 +1,8 @@
 /// \file
 /// The discrete methods: step in time and look for overlaps, to be compared with the event-driven engine.
 ///
-/// Common to all: semi-implicit Euler, v += h g, then p += h v, with h = dt / substeps; ceil(until / dt) steps, the
-/// last one shortened so that the run ends exactly at `until`; step k begins at k dt (nothing accumulates). Contacts do
+/// Common to all: the motion between contacts (Integrator) with h = dt / substeps; ceil(until / dt) steps, the last one
+/// shortened so that the run ends exactly at `until`; step k begins at k dt (nothing accumulates). Contacts do
 /// not depend on how pairs are found: all pairs for few spheres, a cell grid for many, the same bits.
 #pragma once
 

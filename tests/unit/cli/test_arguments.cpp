@@ -198,12 +198,14 @@ TEST_CASE("the command line goes before the scene, the scene before what is buil
     const Scene scene = scene_with({{"methods", std::vector<std::string>{"event", "velocity"}},
                                     {"dt", std::vector<std::string>{"1/60", "0.001"}},
                                     {"repeats", 5.0},
+                                    {"integrator", std::string("parabola")},
                                     {"literal", true}});
     const CompareOptions from_scene = compare_settings({}, {}, scene, "ball.json").compare;
     CHECK(from_scene.methods == std::vector<std::string>{"event", "velocity"});
     CHECK(from_scene.dt == std::vector<double>{1.0 / 60, 0.001});
     CHECK(from_scene.repeats == 5);
     CHECK(from_scene.step.literal);
+    CHECK(from_scene.step.integrator == Integrator::parabola);
     CHECK(from_scene.until == 5);
     CHECK_FALSE(from_scene.tolerance);
 
@@ -279,8 +281,8 @@ TEST_CASE("responses are told in words with every default filled in", "[choices]
 TEST_CASE("a run's method takes its step from the options", "[choices]")
 {
     RunArguments args;
-    args.given = {
-        {"method", "velocity"}, {"dt", "1/100"}, {"substeps", "3"}, {"order", "deepest"}, {"max_events", "1e3"}};
+    args.given = {{"method", "velocity"},     {"dt", "1/100"},      {"substeps", "3"}, {"order", "deepest"},
+                  {"integrator", "parabola"}, {"max_events", "1e3"}};
     GlobalArguments global;
     global.seed = 9;
     const RunSettings settings = run_settings(args, global, scene_with({}), "ball.json");
@@ -289,6 +291,7 @@ TEST_CASE("a run's method takes its step from the options", "[choices]")
     CHECK(step_options(settings.method)->dt == 0.01);
     CHECK(step_options(settings.method)->substeps == 3);
     CHECK(step_options(settings.method)->order == ContactOrder::deepest);
+    CHECK(step_options(settings.method)->integrator == Integrator::parabola);
     CHECK(step_options(settings.method)->seed == 9);
     CHECK(settings.run.max_events == 1000);
     CHECK(settings.run.until == 5);
@@ -323,6 +326,16 @@ TEST_CASE("a wrong value is a usage error if typed and a scene error if written 
     CHECK_THROWS_WITH(
         compare_settings({}, {}, scene_with({{"dt", std::vector<std::string>{"1/60", "0"}}}), "ball.json"),
         Contains("/compare/dt: 0 in \"1/60,0\" must be > 0"));
+}
+
+TEST_CASE("an integrator that does not exist is refused with those that do", "[choices]")
+{
+    RunArguments args;
+    args.given = {{"integrator", "rk4"}};
+    CHECK_THROWS_WITH(run_settings(args, {}, scene_with({}), "ball.json"),
+                      Contains("--integrator: ") && Contains("euler, parabola"));
+    CHECK_THROWS_WITH(run_settings({}, {}, scene_with({{"integrator", std::string("rk4")}}), "ball.json"),
+                      Contains("/run/integrator: "));
 }
 
 TEST_CASE("options without an effect are noted", "[notes]")
