@@ -64,13 +64,17 @@ struct RunStudy {
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options = {});
 
 struct CompareOptions {
-    std::vector<std::string> methods;         ///< as `make_method`; duplicates are run twice
-    std::vector<double> dt;                   ///< > 0, for discrete methods [time]
-    std::vector<int> substeps{1}, passes{1};  ///< >= 1; every combination is run
-    StepOptions step;                         ///< order, integrator, literal, seed for all
-    double until = 0;                         ///< > 0 [time]
-    int repeats = 3;                          ///< timed runs at least, >= 1; more until the median is known to 5 %
-    double repeat_seconds = 5;                ///< fewer repeats where they would take longer than this for one row [s]
+    // Every combination is a row, but none twice: a method is run once for values of options that it does not read.
+    std::vector<std::string> methods;                        ///< as `make_method`
+    std::vector<double> dt;                                  ///< > 0, for discrete methods [time]
+    std::vector<int> substeps{1}, passes{1};                 ///< >= 1
+    std::vector<ContactOrder> orders{ContactOrder::index};   ///< for methods that visit contacts one by one
+    std::vector<Integrator> integrators{Integrator::euler};  ///< where there is gravity
+    std::optional<std::vector<ImpactOperator>> impacts;      ///< for `event`; none: the scene's
+    StepOptions step;                                        ///< literal, seed for all
+    double until = 0;                                        ///< > 0 [time]
+    int repeats = 3;                  ///< timed runs at least, >= 1; more until the median is known to 5 %
+    double repeat_seconds = 5;        ///< fewer repeats where they would take longer than this for one row [s]
     std::optional<double> tolerance;  ///< position error that the verdict asks for [length]; none: `default_tolerance`
     std::size_t intervals = study_intervals;
     OnProgress on_progress;  ///< stages "reference: ...", "reference", "methods"; false interrupts
@@ -123,7 +127,10 @@ struct AuditSummary {
 struct CompareRow {
     std::string method;
     std::optional<double> dt;                          ///< none for `event` [time]
-    std::optional<int> substeps, passes;               ///< none for `event`
+    std::optional<int> substeps, passes;               ///< none for `event`; passes for methods that read it
+    std::optional<ContactOrder> order;                 ///< of methods that read it
+    std::optional<Integrator> integrator;              ///< none for `event`
+    std::optional<ImpactOperator> impact;              ///< of `event`
     double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median, least and greatest of `repeats` timed runs [s]
     double cpu_low = 0, cpu_high = 0;                  ///< interval of the median, 95 % from six repeats on [s]
     int repeats = 0;  ///< 0: the recorded run alone was timed, it was too long to repeat

@@ -30,8 +30,8 @@ struct RunArguments {
 
 struct CompareArguments {
     std::string scene;
-    GivenOptions
-        given;  ///< methods, dt, substeps, passes, order, integrator, literal, until, repeats, tolerance, max_seconds
+    GivenOptions given;  ///< methods, dt, substeps, passes, order, integrator, literal, until, repeats, tolerance,
+                         ///< max_seconds, impact
     bool allow_overlap = false;
     std::vector<std::string> set;  ///< "/pointer=value"
     std::string out;               ///< folder; empty: out/compare-NAME

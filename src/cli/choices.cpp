@@ -3,6 +3,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/limits.hpp"
 #include "cli/lists.hpp"
+#include "core/names.hpp"
 #include "io/problems.hpp"
 
 #include <carom/error.hpp>
@@ -37,6 +38,14 @@ double positive(double value, const std::string& text)
 long long at_least_one(const std::string& text)
 {
     return parse_integer(text, 1, largest_count);
+}
+
+ImpactOperator impact_operator(std::string_view word)
+{
+    if (const auto known = value_named<ImpactOperator>(word, impact_operator_names)) return *known;
+    const std::string text(word);
+    throw InputError(
+        {"unknown operator \"" + text + "\"" + io::suggestion(text, words_of(impact_operator_names), "take")});
 }
 
 std::string known_method(const std::string& word)
@@ -140,6 +149,21 @@ T Choices::named(const std::string& name, T otherwise, T (*value_of)(std::string
     });
 }
 
+template <typename T>
+std::vector<T> Choices::named_list(const std::string& name, std::vector<T> otherwise,
+                                   T (*value_of)(std::string_view)) const
+{
+    return read(name, std::move(otherwise), [value_of](const std::string& text) {
+        std::vector<T> values;
+        for (const std::string& word : parse_words(text)) try {
+                values.push_back(value_of(word));
+            } catch (const InputError& error) {
+                throw std::invalid_argument(error.what());
+            }
+        return values;
+    });
+}
+
 StepOptions Choices::step(std::uint64_t seed) const
 {
     StepOptions step;
@@ -202,7 +226,7 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
 {
     const Choices choices(args.given, scene.compare, file + ": /compare");
     choices.expect_known({"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats",
-                          "tolerance", "max_seconds"});
+                          "tolerance", "max_seconds", "impact"});
     CompareSettings settings;
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
     CompareOptions& options = settings.compare;
@@ -210,7 +234,12 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
     options.dt = choices.numbers("dt", {1.0 / 60, 1.0 / 240, 1.0 / 1000});
     options.substeps = choices.integers("substeps", options.substeps);
     options.passes = choices.integers("passes", options.passes);
-    options.step = choices.step(global.seed.value_or(scene.seed));
+    options.orders = choices.named_list("order", options.orders, contact_order);
+    options.integrators =
+        choices.named_list("integrator", {Integrator::euler, Integrator::parabola}, carom::integrator);
+    if (choices.has("impact")) options.impacts = choices.named_list<ImpactOperator>("impact", {}, impact_operator);
+    options.step.literal = choices.flag("literal");
+    options.step.seed = global.seed.value_or(scene.seed);
     options.until = choices.number("until", scene.end_time);
     options.repeats = static_cast<int>(std::min(choices.integer("repeats", options.repeats), most_repeats));
     if (choices.has("tolerance")) options.tolerance = choices.number("tolerance", 0);

@@ -35,6 +35,9 @@ public:
     bool flag(const std::string& name) const;
     bool has(const std::string& name) const;
 
+    template <typename T>
+    std::vector<T> named_list(const std::string& name, std::vector<T> otherwise, T (*value_of)(std::string_view)) const;
+
     /// \throws InputError if the defaults name an option that is not among `known`.
     void expect_known(const std::vector<std::string>& known) const;
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 namespace carom::cli {
 
@@ -82,6 +83,22 @@ std::string ratio_text(const std::optional<study::Ratio>& ratio)
     return study::two_digits(ratio->value) + (low == high ? "" : " (" + low + "-" + high + ")");
 }
 
+/// What a row has in a column of words; "-" for nothing.
+std::string word(std::string_view column, const CompareRow& row)
+{
+    const std::string text = std::get<std::string>(study::compare_column(column).cell(row));
+    return text.empty() ? "-" : text;
+}
+
+/// Whether rows that have something in a column of words have different things.
+bool differs(const Comparison& comparison, std::string_view column)
+{
+    std::set<std::string> words;
+    for (const CompareRow& row : comparison.rows) words.insert(word(column, row));
+    words.erase("-");
+    return words.size() > 1;
+}
+
 std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
 {
     const Units& units = scene.units;
@@ -98,6 +115,8 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
         all.push_back({named("substeps"), [=](const CompareRow& r) { return number(r.substeps); }});
     if (several(&CompareRow::passes))
         all.push_back({named("passes"), [=](const CompareRow& r) { return number(r.passes); }});
+    for (const char* name : {"order", "integrator", "impact"})
+        if (differs(comparison, name)) all.push_back({named(name), [=](const CompareRow& r) { return word(name, r); }});
     all.push_back({named("position_max"), [](const CompareRow& r) { return figure(r.position_max); }});
     all.push_back({"within " + study::length_text(comparison.tolerance, units.length),
                    [&](const CompareRow& r) {

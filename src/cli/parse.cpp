@@ -45,15 +45,20 @@ std::string joined(const Names& names)
     return CLI::detail::join(names, ", ");
 }
 
+void add_literal(CLI::App& app, GivenOptions& given)
+{
+    app.add_flag_callback(
+        "--literal", [&given] { given["literal"] = "true"; },
+        "pbd only: respond to separating contacts too, as the original text says");
+}
+
 void add_step_options(CLI::App& app, GivenOptions& given)
 {
     add_given(app, given, "--order", "ORDER",
               "Order of contacts in a pass: " + joined(contact_order_names) + " (pbd only) [index]");
     add_given(app, given, "--integrator", "I",
               "Motion between contacts: " + joined(integrator_names) + ", which is exact in flight [euler]");
-    app.add_flag_callback(
-        "--literal", [&given] { given["literal"] = "true"; },
-        "pbd only: respond to separating contacts too, as the original text says");
+    add_literal(app, given);
 }
 
 void add_scene_options(CLI::App& app, bool& allow_overlap, std::vector<std::string>& set)
@@ -114,8 +119,16 @@ void define_compare(CLI::App& app, CompareArguments& compare)
     add_given(app, compare.given, "--dt", "LIST",
               "Steps: a,b,c or start:stop:logN or start:stop:linN [1/60,1/240,1/1000]");
     add_given(app, compare.given, "--substeps", "LIST", "Substeps of a step, every one is run [1]");
-    add_given(app, compare.given, "--passes", "LIST", "Passes over the contacts in a substep, every one is run [1]");
-    add_step_options(app, compare.given);
+    add_given(app, compare.given, "--passes", "LIST",
+              "Passes over the contacts in a substep, every one is run where a method reads them [1]");
+    add_given(app, compare.given, "--order", "LIST",
+              "Orders of contacts in a pass: " + joined(contact_order_names) + " (pbd only) [index]");
+    add_given(app, compare.given, "--integrator", "LIST",
+              "Motions between contacts: " + joined(integrator_names) + " [both where there is gravity]");
+    add_given(app, compare.given, "--impact", "LIST",
+              "Operators of the event method for several contacts at once: " + joined(impact_operator_names) +
+                  " [the scene's]");
+    add_literal(app, compare.given);
     add_given(app, compare.given, "--until", "T", "End of the runs, counted from their start [the scene's end_time]");
     add_given(app, compare.given, "--repeats", "K", "Runs for the time, of which the median counts [3]");
     add_given(app, compare.given, "--tolerance", "X",

@@ -22,7 +22,7 @@ const std::vector<CommandOptions>& command_options()
          {"equilibrate"}},
         {"compare",
          {"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats", "tolerance",
-          "max_seconds"},
+          "max_seconds", "impact"},
          {}},
         {"tunnel", {"speed", "thickness", "radius", "dt", "methods", "trials", "bisect"}, {}},
         {"view", {"out"}, {}},

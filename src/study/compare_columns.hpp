@@ -3,6 +3,8 @@
 /// headings on the terminal and docs/compare.md are made.
 #pragma once
 
+#include "core/names.hpp"
+
 #include <carom/study.hpp>
 
 #include <array>
@@ -27,6 +29,18 @@ inline CompareCell as_cell(const std::string& text)
 inline CompareCell as_cell(Status status)
 {
     return name(status);
+}
+inline CompareCell as_cell(std::optional<ContactOrder> order)
+{
+    return order ? std::string(name(*order)) : std::string();
+}
+inline CompareCell as_cell(std::optional<Integrator> integrator)
+{
+    return integrator ? std::string(name(*integrator)) : std::string();
+}
+inline CompareCell as_cell(std::optional<ImpactOperator> impact)
+{
+    return impact ? std::string(name_of(*impact, impact_operator_names)) : std::string();
 }
 inline CompareCell as_cell(std::optional<double> value)
 {
@@ -71,15 +85,23 @@ struct CompareColumn {
 };
 
 /// In the order of compare.csv. Names are stable: files and pages of others read them.
-inline constexpr std::array<CompareColumn, 33> compare_columns{{
+inline constexpr std::array<CompareColumn, 36> compare_columns{{
     {"method", "method", ColumnUnit::none, "How the scene was simulated. \"event\" is exact in time and takes no step.",
      cell_of<&CompareRow::method>},
     {"dt", "dt", ColumnUnit::time, "Length of a time step; none for the event-driven method.",
      cell_of<&CompareRow::dt>},
     {"substeps", "substeps", ColumnUnit::none, "Equal parts into which each step is cut.",
      cell_of<&CompareRow::substeps>},
-    {"passes", "passes", ColumnUnit::none, "How often the contacts are visited in a substep.",
+    {"passes", "passes", ColumnUnit::none,
+     "How often the contacts are visited in a substep; none where a method reads no passes.",
      cell_of<&CompareRow::passes>},
+    {"order", "order", ColumnUnit::none, "Order in which contacts are visited; none where a method reads no order.",
+     cell_of<&CompareRow::order>},
+    {"integrator", "integrator", ColumnUnit::none,
+     "Motion between contacts: \"euler\" moves by the speed after gravity, \"parabola\" is exact in flight.",
+     cell_of<&CompareRow::integrator>},
+    {"impact", "impact", ColumnUnit::none, "Operator of the event method for several contacts at once.",
+     cell_of<&CompareRow::impact>},
     {"cpu_seconds", "CPU", ColumnUnit::seconds,
      "Processor time of one run up to the end of what is compared, giving its samples: the median of the repeats.",
      cell_of<&CompareRow::cpu_seconds>},

@@ -6,12 +6,22 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace carom::study {
 
 namespace {
 
 using Rows = std::vector<const CompareRow*>;
+
+/// What rows that differ in their step alone have in common.
+using Family =
+    std::tuple<std::optional<int>, std::optional<int>, std::optional<ContactOrder>, std::optional<Integrator>>;
+
+Family family_of(const CompareRow& row)
+{
+    return {row.substeps, row.passes, row.order, row.integrator};
+}
 
 Rows rows_of(const Comparison& comparison, const std::string& method)
 {
@@ -67,8 +77,8 @@ const CompareRow* failing_below(const CompareRow& row, const Rows& rows, double 
 {
     const CompareRow* fails = nullptr;
     for (const CompareRow* each : rows)
-        if (*each->dt < *row.dt && each->substeps == row.substeps && each->passes == row.passes &&
-            !holds(*each, tolerance) && (fails == nullptr || *each->dt > *fails->dt))
+        if (*each->dt < *row.dt && family_of(*each) == family_of(row) && !holds(*each, tolerance) &&
+            (fails == nullptr || *each->dt > *fails->dt))
             fails = each;
     return fails;
 }
@@ -77,9 +87,8 @@ const CompareRow* failing_below(const CompareRow& row, const Rows& rows, double 
 
 StepBracket step_bracket(const Comparison& comparison, const std::string& method)
 {
-    std::map<std::pair<int, int>, Rows> families;
-    for (const CompareRow* row : rows_of(comparison, method))
-        families[{row->substeps.value_or(1), row->passes.value_or(1)}].push_back(row);
+    std::map<Family, Rows> families;
+    for (const CompareRow* row : rows_of(comparison, method)) families[family_of(*row)].push_back(row);
     StepBracket best;
     for (auto& family : families) {
         Rows& rows = family.second;

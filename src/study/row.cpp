@@ -255,12 +255,6 @@ RecordedRow record_row(const RowTask& task)
     if (result.interrupted) return result;
 
     CompareRow& row = result.row;
-    row.method = std::string(name(task.method));
-    if (const StepOptions* step = step_options(task.method)) {
-        row.dt = step->dt;
-        row.substeps = step->substeps;
-        row.passes = step->passes;
-    }
     recorder.finish(row, outcome);
     row.impacts = outcome.counts.impacts;
     row.steps = outcome.counts.steps;

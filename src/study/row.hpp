@@ -23,7 +23,7 @@ struct RowTask {
 };
 
 struct RecordedRow {
-    CompareRow row;  ///< everything but the times; empty if interrupted
+    CompareRow row;  ///< errors and counts; empty if interrupted
     double cpu_seconds = 0;
     bool interrupted = false;
 };

@@ -67,6 +67,28 @@ inline constexpr double elastic_gain = 5;
 /// Neighbours of neighbours [links]: who may meet the bodies of a case, and who may meet those.
 inline constexpr int neighbour_hops = 2;
 
+// Steps that are enough.
+
+/// Steps [1] through which an order is fitted at least: of two no scatter can be told.
+inline constexpr std::size_t steps_of_a_fit = 3;
+/// Order [1] below which errors no longer fall: ten times the steps leave two thirds of the error.
+inline constexpr double stalled_order = 0.2;
+/// Factor [1] from step to step while the search looks for one that is enough, or for one that is not.
+inline constexpr double search_stride = 4;
+/// Factor [1] between a step that is enough and one that is not at which the search ends: within 20 % with room for
+/// how errors scatter from step to step.
+inline constexpr double search_bracket = 1.05;
+/// Parts [step found] that are tried to see whether smaller steps hold too: errors scatter by phases of impacts.
+inline constexpr double probe_below = 0.8, probe_further_below = 0.6;
+/// Runs [1] for one method at most.
+inline constexpr int most_probes = 40;
+/// Time [s] for the runs of one method: a step that takes longer is no answer to a question about cost.
+inline constexpr double search_budget = 10;
+/// Step [longest step asked for] up to which larger ones are tried.
+inline constexpr double largest_searched = 16;
+/// Steps [1] of a run at least: with fewer, steps are no steps.
+inline constexpr double fewest_searched_steps = 8;
+
 // Clocks.
 
 /// Time [s] of a tick of the clock's second number.

@@ -58,10 +58,7 @@ std::string VerdictWords::cost(const CompareRow& row) const
 
 std::string VerdictWords::setting(const CompareRow& row)
 {
-    std::string text = step_text(*row.dt);
-    if (row.substeps.value_or(1) > 1) text += " in " + std::to_string(*row.substeps) + " substeps";
-    if (row.passes.value_or(1) > 1) text += " with " + std::to_string(*row.passes) + " passes";
-    return text;
+    return step_text(*row.dt) + variant_text(row);
 }
 
 std::string VerdictWords::share(std::int64_t part, const CompareRow& row)
