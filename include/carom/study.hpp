@@ -76,6 +76,7 @@ struct CompareOptions {
     int repeats = 3;                  ///< timed runs at least, >= 1; more until the median is known to 5 %
     double repeat_seconds = 5;        ///< fewer repeats where they would take longer than this for one row [s]
     std::optional<double> tolerance;  ///< position error that the verdict asks for [length]; none: `default_tolerance`
+    bool search_steps = false;        ///< find for each discrete method the largest step within the tolerance
     std::size_t intervals = study_intervals;
     OnProgress on_progress;  ///< stages "reference: ...", "reference", "methods"; false interrupts
 };
@@ -172,6 +173,32 @@ struct ReferenceSummary {
     double cpu_seconds = 0;                                 ///< [s]
 };
 
+/// How fast the errors of rows that differ in their step alone fall: error ~ dt^order.
+struct Convergence {
+    std::string method, variant;  ///< "pbd", ", parabola": what the rows have in common
+    double order = 0;             ///< by least squares through the logarithms
+    double uncertainty = 0;       ///< its standard error
+    std::size_t steps = 0;        ///< >= 3, that it was fitted to
+    bool stalled = false;         ///< the last three steps are of an order below 0.2
+    double last_error = 0;        ///< at the smallest step [length]
+};
+
+/// The largest step of a method, with what else it is given, that keeps within the tolerance.
+struct StepSearch {
+    enum class End : std::uint8_t {
+        found,
+        stalls,      ///< errors no longer fall
+        not_reached  ///< smaller steps would take too long, or it was interrupted
+    };
+    End end = End::not_reached;
+    std::string method, variant;                  ///< as Convergence
+    std::optional<CompareRow> row;                ///< found, measured in full
+    std::optional<double> too_far;                ///< the smallest step above it that does not hold [time]
+    std::optional<double> too_far_error;          ///< at that step [length]
+    std::optional<double> best_step, best_error;  ///< the smallest error of all tried [time], [length]
+};
+inline constexpr std::array<std::string_view, 3> step_search_names{"found", "stalls", "not_reached"};
+
 struct Comparison {
     double until = 0;                  ///< end asked for [time]
     double compared_until = 0;         ///< end of what the rows cover: errors, counts and times [time]
@@ -181,6 +208,8 @@ struct Comparison {
     ReferenceSummary reference;
     AuditSummary audit;
     std::vector<CompareRow> rows;
+    std::vector<Convergence> convergence;
+    std::vector<StepSearch> searches;  ///< what they found is among the rows, too
     std::vector<std::string> verdict;  ///< sentences; the first says which method is right and by how much
 };
 

@@ -242,7 +242,8 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
     options.step.seed = global.seed.value_or(scene.seed);
     options.until = choices.number("until", scene.end_time);
     options.repeats = static_cast<int>(std::min(choices.integer("repeats", options.repeats), most_repeats));
-    if (choices.has("tolerance")) options.tolerance = choices.number("tolerance", 0);
+    options.search_steps = choices.has("tolerance");
+    if (options.search_steps) options.tolerance = choices.number("tolerance", 0);
     return settings;
 }
 

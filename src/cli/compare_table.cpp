@@ -75,14 +75,6 @@ std::string status_text(const CompareRow& row)
     return row.status == Status::reached_end ? status : status + " at " + time_text(row.time, "");
 }
 
-/// "140 (130-150)"; the interval only where two digits show it.
-std::string ratio_text(const std::optional<study::Ratio>& ratio)
-{
-    if (!ratio) return "-";
-    const std::string low = study::two_digits(ratio->low), high = study::two_digits(ratio->high);
-    return study::two_digits(ratio->value) + (low == high ? "" : " (" + low + "-" + high + ")");
-}
-
 /// What a row has in a column of words; "-" for nothing.
 std::string word(std::string_view column, const CompareRow& row)
 {
@@ -161,8 +153,12 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
                    [](const CompareRow& r) { return r.divergence_time ? time_text(*r.divergence_time, "") : "-"; },
                    false});
     all.push_back({named("cpu_seconds"), [](const CompareRow& r) { return seconds_text(r.cpu_seconds); }});
-    all.push_back(
-        {"x event", [&](const CompareRow& r) { return ratio_text(study::cost_ratio(comparison, r)); }, false});
+    all.push_back({"x event",
+                   [&](const CompareRow& r) {
+                       const auto ratio = study::cost_ratio(comparison, r);
+                       return ratio ? study::ratio_text(*ratio) : "-";
+                   },
+                   false});
     all.push_back({named("status"), status_text});
     return all;
 }

@@ -132,7 +132,8 @@ void define_compare(CLI::App& app, CompareArguments& compare)
     add_given(app, compare.given, "--until", "T", "End of the runs, counted from their start [the scene's end_time]");
     add_given(app, compare.given, "--repeats", "K", "Runs for the time, of which the median counts [3]");
     add_given(app, compare.given, "--tolerance", "X",
-              "Position error that the verdict asks for [1 mm if fit, else 0.01 smallest radius]");
+              "Position error that the verdict asks for [1 mm if fit, else 0.01 smallest radius]; given, the largest "
+              "step of each method within it is searched for");
     add_time_limit(app, compare.given);
     add_scene_options(app, compare.allow_overlap, compare.set);
     app.add_option("-o,--out", compare.out,
@@ -143,6 +144,7 @@ void define_compare(CLI::App& app, CompareArguments& compare)
         "  carom compare bouncing_ball\n"
         "  carom compare bullet --methods event,pbd,bisection --dt 1e-5:1/60:log7 -o out/bullet\n"
         "  carom compare incline --dt 1/60,1/240 --substeps 1,4 --tolerance 1e-4 --json\n"
+        "  carom compare bouncing_ball --tolerance 1e-3       which step keeps within 1 mm, and what it costs\n"
         "Columns of the table:\n" +
         std::string(compare_legend) +
         "Exit: 0 all runs reached the end, 1 one failed or is unresolved, 2 usage, 3 bad scene, 5 a limit was reached, "

@@ -1,3 +1,4 @@
+#include "core/names.hpp"
 #include "io/compare_files.hpp"
 #include "io/machine.hpp"
 #include "study/compare_columns.hpp"
@@ -22,6 +23,11 @@ Json mismatches_json(const Scene& scene, const std::vector<ImpactMismatch>& list
     return json;
 }
 
+Json number_json(const std::optional<double>& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
 /// A share and the ends of its interval; null of nothing.
 Json share_json(std::int64_t part, std::int64_t whole)
 {
@@ -40,7 +46,7 @@ Json audit_json(const std::optional<Audit>& audit)
             {"wrong", share_json(audit->wrong, audit->audited)},
             {"invented", share_json(audit->invented, audit->looked_at)},
             {"looked_at", audit->looked_at},
-            {"delay", audit->delay ? Json(*audit->delay) : Json(nullptr)}};
+            {"delay", number_json(audit->delay)}};
 }
 
 Json interval_json(double value, double low, double high)
@@ -72,6 +78,25 @@ Json row_json(const Scene& scene, const Comparison& comparison, const CompareRow
     json["audit"] = audit_json(row.audit);
     json["lifted"] = lifts_json(scene, row.lifts);
     return json;
+}
+
+Json convergence_json(const Convergence& fit)
+{
+    return {{"method", fit.method},           {"variant", fit.variant}, {"order", fit.order},
+            {"uncertainty", fit.uncertainty}, {"steps", fit.steps},     {"stalled", fit.stalled},
+            {"last_error", fit.last_error}};
+}
+
+Json search_json(const StepSearch& search)
+{
+    return {{"method", search.method},
+            {"variant", search.variant},
+            {"end", name_of(search.end, step_search_names)},
+            {"dt", number_json(search.row ? search.row->dt : std::nullopt)},
+            {"too_far", number_json(search.too_far)},
+            {"too_far_error", number_json(search.too_far_error)},
+            {"best_step", number_json(search.best_step)},
+            {"best_error", number_json(search.best_error)}};
 }
 
 std::string joined(const std::vector<std::string>& sentences)
@@ -106,6 +131,10 @@ std::string compare_json(const Scene& scene, const Comparison& comparison, const
                      {"slow", comparison.audit.slow},   {"persistent", comparison.audit.persistent}};
     json["rows"] = Json::array();
     for (const CompareRow& row : comparison.rows) json["rows"].push_back(row_json(scene, comparison, row));
+    json["convergence"] = Json::array();
+    for (const Convergence& fit : comparison.convergence) json["convergence"].push_back(convergence_json(fit));
+    json["searches"] = Json::array();
+    for (const StepSearch& search : comparison.searches) json["searches"].push_back(search_json(search));
     json["verdict"] = joined(comparison.verdict);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,7 +1,9 @@
 #include "core/expect.hpp"
 #include "core/patience.hpp"
 #include "study/clock.hpp"
+#include "study/fit_orders.hpp"
 #include "study/measure_row.hpp"
+#include "study/step_search.hpp"
 #include "study/tolerances.hpp"
 
 #include <carom/study.hpp>
@@ -63,6 +65,19 @@ void measure_rows(const study::RowMeasurer& measurer, const std::vector<study::R
     }
 }
 
+/// The largest step of each method that keeps within the tolerance; the rows found join the others.
+void search_steps(const study::RowMeasurer& measurer, const std::vector<study::RowPlan>& plans, Comparison& result)
+{
+    const std::vector<study::RowPlan> families = study::families_of(plans);
+    measurer.patience.begin("steps for the tolerance", static_cast<double>(families.size()), "methods");
+    for (const study::RowPlan& family : families) {
+        if (!measurer.patience.lasts(static_cast<double>(result.searches.size()))) return;
+        result.searches.push_back(study::find_step(measurer, family, result.tolerance, result.rows));
+    }
+    for (const StepSearch& search : result.searches)
+        if (search.row) result.rows.push_back(*search.row);
+}
+
 }  // namespace
 
 double default_tolerance(const Scene& scene)
@@ -90,14 +105,18 @@ Comparison compare_methods(const Scene& scene, const CompareOptions& options)
     result.interrupted = compared.reference.stopped;
 
     const OnProgress stop = [](const Progress&) { return false; };
-    study::Auditor auditor(scene, options.until, study::longest_step(plans),
-                           result.interrupted ? stop : options.on_progress);
+    const double longest = study::longest_step(plans);
+    const double longest_tried = options.search_steps ? study::longest_searched_step(compared.until, longest) : longest;
+    study::Auditor auditor(scene, options.until, longest_tried, result.interrupted ? stop : options.on_progress);
     result.audit = auditor.summary();
     result.interrupted = result.interrupted || auditor.stopped();
 
     Patience patience(options.on_progress);
-    measure_rows({scene, options, compared, auditor, patience}, plans, result);
+    const study::RowMeasurer measurer{scene, options, compared, auditor, patience};
+    measure_rows(measurer, plans, result);
+    if (options.search_steps && !result.interrupted) search_steps(measurer, plans, result);
     result.interrupted = result.interrupted || patience.ended();
+    result.convergence = study::fit_orders(scene, result);
     result.verdict = verdict(scene, result);
     return result;
 }

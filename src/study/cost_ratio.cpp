@@ -1,5 +1,7 @@
 #include "study/cost_ratio.hpp"
 
+#include "study/words.hpp"
+
 #include <algorithm>
 
 namespace carom::study {
@@ -13,6 +15,12 @@ std::optional<Ratio> cost_ratio(const Comparison& comparison, const CompareRow& 
     const double value = row.cpu_seconds / event->cpu_seconds;
     if (&row == &*event || !(event->cpu_low > 0)) return Ratio{value, value, value};
     return Ratio{value, row.cpu_low / event->cpu_high, row.cpu_high / event->cpu_low};
+}
+
+std::string ratio_text(const Ratio& ratio)
+{
+    const std::string low = two_digits(ratio.low), high = two_digits(ratio.high);
+    return two_digits(ratio.value) + (low == high ? "" : " (" + low + "-" + high + ")");
 }
 
 }  // namespace carom::study

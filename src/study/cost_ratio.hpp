@@ -5,6 +5,7 @@
 #include <carom/study.hpp>
 
 #include <optional>
+#include <string>
 
 namespace carom::study {
 
@@ -14,5 +15,8 @@ struct Ratio {
 
 /// CPU time over that of the event run; none where that did not reach the end or is not among the rows.
 std::optional<Ratio> cost_ratio(const Comparison& comparison, const CompareRow& row);
+
+/// "140 (130-150)"; the interval only where two digits show it.
+std::string ratio_text(const Ratio& ratio);
 
 }  // namespace carom::study

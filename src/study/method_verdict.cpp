@@ -1,27 +1,19 @@
 #include "study/method_verdict.hpp"
 
+#include "study/row_family.hpp"
+#include "study/search_words.hpp"
 #include "study/tolerances.hpp"
 #include "study/words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 namespace carom::study {
 
 namespace {
 
 using Rows = std::vector<const CompareRow*>;
-
-/// What rows that differ in their step alone have in common.
-using Family =
-    std::tuple<std::optional<int>, std::optional<int>, std::optional<ContactOrder>, std::optional<Integrator>>;
-
-Family family_of(const CompareRow& row)
-{
-    return {row.substeps, row.passes, row.order, row.integrator};
-}
 
 Rows rows_of(const Comparison& comparison, const std::string& method)
 {
@@ -59,12 +51,7 @@ std::string enough_text(const VerdictWords& words, const StepBracket& found, std
         text = "of the steps tried, dt = " + VerdictWords::setting(row) +
                " is the largest from which all smaller ones keep" + within;
     text += "; it costs " + words.cost(row);
-    if (row.mistimed_impacts > 0)
-        text +=
-            ", and " + VerdictWords::share(row.mistimed_impacts, row) + " come late (more than 3 steps early or late)";
-    // A late impact is one that the reference does not have there: it is counted as invented, too.
-    if (row.invented_impacts > row.mistimed_impacts)
-        text += ", and it invents " + std::to_string(row.invented_impacts - row.mistimed_impacts);
+    text += audit_clause(row);
     if (found.too_far == nullptr) return text;
     text += "; the next larger, " + VerdictWords::setting(*found.too_far) + ", " + words.fault(*found.too_far);
     if (*found.too_far->dt > fine_bracket * *row.dt)

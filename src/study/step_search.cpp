@@ -1,8 +1,9 @@
 #include "study/step_search.hpp"
 
-#include "scene/tolerances.hpp"
 #include "study/convergence.hpp"
+#include "study/fit_orders.hpp"
 #include "study/row.hpp"
+#include "study/row_family.hpp"
 #include "study/tolerances.hpp"
 #include "study/verdict_words.hpp"
 #include "study/words.hpp"
@@ -27,10 +28,11 @@ public:
     Search(const RowMeasurer& measurer, const RowPlan& plan, double tolerance)
         : measurer_(measurer), plan_(plan), tolerance_(tolerance)
     {
-        exact_ = std::max(measurer.compared.reference.bound, declared_contact * smallest_radius(measurer.scene));
+        exact_ = exact_error(measurer.scene, measurer.compared.reference.bound);
     }
 
-    StepSearch run();
+    /// \param known rows measured before
+    StepSearch run(std::span<const CompareRow> known);
 
 private:
     struct Probe {
@@ -45,6 +47,7 @@ private:
     bool is_over() const { return ended_ || static_cast<int>(probes_.size()) >= most_probes; }
     /// From the largest step to the smallest, those with an error.
     std::vector<StepError> errors() const;
+    double failing_below(std::span<const CompareRow> known) const;
     double search_down(double dt);
     double search_up(double dt);
     void bisect();
@@ -54,7 +57,7 @@ private:
     double tolerance_, exact_ = 0;
     std::vector<Probe> probes_;
     double spent_ = 0, last_rate_ = 0;  ///< CPU time so far [s], of the last run for one step of it [s]
-    bool ended_ = false, too_dear_ = false;
+    bool ended_ = false;
     double enough_ = 0, too_far_ = 0;  ///< 0 as long as there is none [time]
 };
 
@@ -67,14 +70,18 @@ bool Search::holds(double dt)
 {
     if (is_over()) return false;
     if (!may_run(dt)) {
-        ended_ = too_dear_ = true;
+        ended_ = true;
         return false;
     }
     const RowPlan plan = with_step(plan_, dt);
     measurer_.patience.name("step for the tolerance, " + label(plan.method));
-    const RecordedRow recorded =
-        record_row({measurer_.scene, measurer_.compared.reference, plan.method, {.until = measurer_.compared.until},
-                    measurer_.compared.times, measurer_.auditor.truth(), [&](double) { return measurer_.patience.lasts(); }});
+    const RecordedRow recorded = record_row({measurer_.scene,
+                                             measurer_.compared.reference,
+                                             plan.method,
+                                             {.until = measurer_.compared.until},
+                                             measurer_.compared.times,
+                                             measurer_.auditor.truth(),
+                                             [&](double) { return measurer_.patience.lasts(); }});
     if (recorded.interrupted) {
         ended_ = true;
         return false;
@@ -131,7 +138,19 @@ void Search::bisect()
     }
 }
 
-StepSearch Search::run()
+/// The largest step below `enough_` of a row of this family that does not hold; 0 if there is none.
+double Search::failing_below(std::span<const CompareRow> known) const
+{
+    CompareRow own;
+    describe(plan_, own);
+    double largest = 0;
+    for (const CompareRow& row : known)
+        if (row.dt && *row.dt < enough_ && family_of(row) == family_of(own) && !study::holds(row, tolerance_))
+            largest = std::max(largest, *row.dt);
+    return largest;
+}
+
+StepSearch Search::run(std::span<const CompareRow> known)
 {
     const double first = step_options(plan_.method)->dt;
     const bool first_holds = holds(first);
@@ -140,7 +159,7 @@ StepSearch Search::run()
     while (enough_ > 0 && !is_over()) {
         if (too_far_ > 0) bisect();
         // One step that holds proves nothing where a smaller one fails.
-        double fails = 0;
+        double fails = failing_below(known);
         for (const double part : {probe_below, probe_further_below})
             if (!is_over() && !holds(part * enough_) && !ended_) fails = part * enough_;
         if (fails == 0) break;
@@ -163,7 +182,8 @@ StepSearch Search::run()
     if (too_far_ > 0) result.too_far = too_far_;
     if (enough_ > 0) {
         result.end = StepSearch::End::found;
-        const auto row = measurer_.measure(with_step(plan_, enough_), [&](double) { return measurer_.patience.lasts(); });
+        const auto row =
+            measurer_.measure(with_step(plan_, enough_), [&](double) { return measurer_.patience.lasts(); });
         if (row) result.row = *row;
     } else if (is_stalled(points, std::max(exact_, tolerance_))) {
         result.end = StepSearch::End::stalls;
@@ -197,9 +217,10 @@ std::vector<RowPlan> families_of(const std::vector<RowPlan>& plans)
     return families;
 }
 
-StepSearch find_step(const RowMeasurer& measurer, const RowPlan& plan, double tolerance)
+StepSearch find_step(const RowMeasurer& measurer, const RowPlan& plan, double tolerance,
+                     std::span<const CompareRow> known)
 {
-    return Search(measurer, plan, tolerance).run();
+    return Search(measurer, plan, tolerance).run(known);
 }
 
 }  // namespace carom::study

@@ -78,8 +78,10 @@ inline constexpr double search_stride = 4;
 /// Factor [1] between a step that is enough and one that is not at which the search ends: within 20 % with room for
 /// how errors scatter from step to step.
 inline constexpr double search_bracket = 1.05;
-/// Parts [step found] that are tried to see whether smaller steps hold too: errors scatter by phases of impacts.
-inline constexpr double probe_below = 0.8, probe_further_below = 0.6;
+/// Part [step found] that is tried to see whether smaller steps hold too: errors scatter by phases of impacts.
+inline constexpr double probe_below = 0.8;
+/// Part [step found] that is tried besides: scatter that spoils both is no luck.
+inline constexpr double probe_further_below = 0.6;
 /// Runs [1] for one method at most.
 inline constexpr int most_probes = 40;
 /// Time [s] for the runs of one method: a step that takes longer is no answer to a question about cost.
@@ -120,6 +122,9 @@ inline constexpr std::size_t most_spheres_looked_at = 25'000;
 inline constexpr std::size_t fewest_looks = 2;
 
 // Words.
+
+/// Per cent [1] in a whole: that is what the word means.
+inline constexpr double per_cent = 100;
 
 /// Factor [1] between two steps up to which a linear range between them is advised, beyond it a logarithmic one.
 inline constexpr double linear_range_factor = 2;

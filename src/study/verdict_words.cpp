@@ -1,5 +1,6 @@
 #include "study/verdict_words.hpp"
 
+#include "study/cost_ratio.hpp"
 #include "study/words.hpp"
 
 #include <cmath>
@@ -51,9 +52,8 @@ std::string VerdictWords::while_known() const
 
 std::string VerdictWords::cost(const CompareRow& row) const
 {
-    if (event_ == nullptr || event_->status != Status::reached_end || !(event_->cpu_seconds > 0))
-        return seconds_text(row.cpu_seconds) + " of CPU";
-    return two_digits(row.cpu_seconds / event_->cpu_seconds) + " times the event run";
+    const std::optional<Ratio> ratio = cost_ratio(comparison_, row);
+    return ratio ? ratio_text(*ratio) + " times the event run" : seconds_text(row.cpu_seconds) + " of CPU";
 }
 
 std::string VerdictWords::setting(const CompareRow& row)

@@ -205,23 +205,33 @@ TEST_CASE("the command line goes before the scene, the scene before what is buil
     CHECK(from_scene.dt == std::vector<double>{1.0 / 60, 0.001});
     CHECK(from_scene.repeats == 5);
     CHECK(from_scene.step.literal);
-    CHECK(from_scene.step.integrator == Integrator::parabola);
+    CHECK(from_scene.integrators == std::vector<Integrator>{Integrator::parabola});
+    CHECK_FALSE(from_scene.search_steps);
     CHECK(from_scene.until == 5);
     CHECK_FALSE(from_scene.tolerance);
 
     CompareArguments args;
-    args.given = {{"methods", "pbd"}, {"dt", "1/10"}, {"until", "2"}, {"tolerance", "1e-4"}, {"substeps", "1,4"}};
+    args.given = {{"methods", "pbd"},          {"dt", "1/10"},      {"until", "2"},
+                  {"tolerance", "1e-4"},       {"substeps", "1,4"}, {"order", "index,jacobi"},
+                  {"impact", "lcp,sequential"}};
     const CompareOptions typed = compare_settings(args, {}, scene, "ball.json").compare;
     CHECK(typed.methods == std::vector<std::string>{"pbd"});
     CHECK(typed.dt == std::vector<double>{0.1});
     CHECK(typed.until == 2);
     CHECK(typed.tolerance == std::optional<double>(1e-4));
+    CHECK(typed.search_steps);
     CHECK(typed.substeps == std::vector<int>{1, 4});
+    CHECK(typed.orders == std::vector<ContactOrder>{ContactOrder::index, ContactOrder::jacobi});
+    REQUIRE(typed.impacts);
+    CHECK(*typed.impacts == std::vector<ImpactOperator>{ImpactOperator::lcp, ImpactOperator::sequential});
+    args.given["impact"] = "lcp,nothing";
+    CHECK_THROWS_WITH(compare_settings(args, {}, scene, "ball.json"), Contains("unknown operator \"nothing\""));
 
     const CompareOptions built_in = compare_settings({}, {}, scene_with({}), "ball.json").compare;
     CHECK(built_in.methods == method_names());
     CHECK(built_in.dt == std::vector<double>{1.0 / 60, 1.0 / 240, 1.0 / 1000});
     CHECK(built_in.repeats == 3);
+    CHECK(built_in.integrators == std::vector<Integrator>{Integrator::euler, Integrator::parabola});
 }
 
 TEST_CASE("a run's responses are the scene's unless its run section or the command line says otherwise", "[choices]")

@@ -228,3 +228,42 @@ TEST_CASE("an interrupted comparison keeps the rows that were finished", "[compa
     CHECK(result.rows.size() == 2);
     CHECK(result.verdict.back().find("interrupted") != std::string::npos);
 }
+
+TEST_CASE("the step found for a tolerance is the one that the error's formula gives", "[compare]")
+{
+    // Without contacts semi-implicit Euler is off by g t dt / 2, at most g T dt / 2: 1e-3 at dt = 2e-3 / (g T).
+    Scene scene = bouncing_ball(1);
+    scene.gravity = Vec3(0, 0, -10);
+    scene.planes.clear();
+    scene.end_time = 1;
+    CompareOptions options = options_for(scene, {"event", "pbd"}, {0.1, 0.05});
+    options.integrators = {Integrator::euler, Integrator::parabola};
+    options.tolerance = 1e-3;
+    options.search_steps = true;
+    const Comparison result = compare_methods(scene, options);
+    REQUIRE(result.searches.size() == 2);
+    const StepSearch &euler = result.searches[0], &parabola = result.searches[1];
+    REQUIRE(euler.end == StepSearch::End::found);
+    REQUIRE(euler.row);
+    CHECK(*euler.row->dt <= 2e-4 * (1 + 1e-9));
+    CHECK(*euler.row->dt >= 2e-4 / 1.05);
+    CHECK(euler.row->cpu_seconds > 0);
+    REQUIRE(euler.too_far);
+    CHECK(*euler.too_far > 2e-4);
+    REQUIRE(parabola.row);  // exact in flight: the largest step that may be tried, an eighth of the run
+    CHECK(*parabola.row->dt == 0.125);
+    CHECK_FALSE(parabola.too_far);
+    CHECK(result.rows.size() == 7);
+}
+
+TEST_CASE("errors that fall with the first power of the step are fitted so", "[compare]")
+{
+    Scene scene = bouncing_ball(1);
+    scene.planes.clear();
+    scene.end_time = 1;
+    const Comparison result = compare_methods(scene, options_for(scene, {"pbd"}, {0.1, 0.01, 0.001}));
+    REQUIRE(result.convergence.size() == 1);
+    CHECK(result.convergence[0].order == Approx(1));
+    CHECK(result.convergence[0].uncertainty < 1e-6);
+    CHECK_FALSE(result.convergence[0].stalled);
+}
