@@ -75,10 +75,20 @@ struct Moreau : StepOptions {
     int sweeps = 100;  ///< >= 1, of Gauss-Seidel, at most
 };
 
-/// Each alternative says what users call it, `method_name`; names, help texts and messages follow from this list.
-using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive, Moreau>;
+/// Continuous collision by substeps: in each step to the first contact by a root on the step's own paths, respond
+/// there, go on. Nothing is tunnelled through.
+struct ImpactSubsteps : StepOptions {
+    static constexpr std::string_view method_name = "toi";
+    /// >= 1, responses of a sphere in a substep with its restitution; a contact beyond them closes without rebound.
+    /// Bounces that die away in a step need as many as it takes them to fall below rounding: 70 at e = 0.8, 320 at
+    /// 0.95.
+    int most_impacts = 100;
+};
 
-/// The word that users know it by: "event", "pbd", "velocity", "bisection", "naive", "moreau".
+/// Each alternative says what users call it, `method_name`; names, help texts and messages follow from this list.
+using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive, Moreau, ImpactSubsteps>;
+
+/// The word that users know it by: "event", "pbd", "velocity", "bisection", "naive", "moreau", "toi".
 std::string_view name(const Method& method);
 /// All method names, in the order of the variant.
 const std::vector<std::string>& method_names();

@@ -201,8 +201,8 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
                          const std::string& file)
 {
     const Choices choices(args.given, scene.run, file + ": /run");
-    choices.expect_known({"method", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "max_events",
-                          "max_seconds", "final", "kernel", "certified", "impact", "guard"});
+    choices.expect_known({"method", "dt", "substeps", "passes", "order", "integrator", "literal", "most_impacts",
+                          "until", "max_events", "max_seconds", "final", "kernel", "certified", "impact", "guard"});
     StepOptions step = choices.step(global.seed.value_or(scene.seed));
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();
@@ -214,6 +214,8 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
         event->certified = choices.flag("certified");
         choose_kernel(scene, event->kernel);  // a wrong name is the user's mistake: say so before anything runs
     }
+    if (auto* toi = std::get_if<ImpactSubsteps>(&settings.method))
+        toi->most_impacts = choices.integers("most_impacts", {toi->most_impacts}).front();
     settings.always_final = args.always_final || choices.flag("final");
     settings.run.until = choices.number("until", scene.end_time);
     settings.run.max_events = choices.integer("max_events", settings.run.max_events);

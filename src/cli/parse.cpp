@@ -79,6 +79,8 @@ void define_run(CLI::App& app, RunArguments& run)
     add_given(app, run.given, "--substeps", "N", "Substeps of a step [1]");
     add_given(app, run.given, "--passes", "N", "Passes over the contacts in a substep [1]");
     add_step_options(app, run.given);
+    add_given(app, run.given, "--most-impacts", "N",
+              "toi only: impacts of a sphere in a substep; further ones do not rebound [100]");
     add_given(app, run.given, "--kernel", "K", "Force a kernel of the event method (carom explain lists them)");
     app.add_flag_callback(
         "--certified", [&run] { run.given["certified"] = "true"; },

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "stepping/bodies.hpp"
+#include "stepping/substep_track.hpp"
 
 #include <carom/method.hpp>
 
@@ -29,16 +30,21 @@ public:
 
     void fly(Bodies& bodies, double h);
     void accelerate(Bodies& bodies, double h);
-    void move_pushed(Bodies& bodies, double h) const;
-    void move_struck(Bodies& bodies, double h) const;
+    void move_pushed(Bodies& bodies, double h);
+    void move_struck(Bodies& bodies, double h);
 
     Integrator integrator() const { return integrator_; }
     const Vec3& gravity() const { return gravity_; }  ///< [length/time^2]
+    SubstepTrack& track() { return track_; }
 
 private:
+    /// Remember how the spheres, which are still where the substep began, are about to move.
+    void remember(const Bodies& bodies, double h, bool struck);
+
     Vec3 gravity_;
     Integrator integrator_;
-    std::vector<Vec3> start_;  ///< velocities before `accelerate`, for Integrator::parabola
+    SubstepTrack track_;
+    std::vector<Vec3> start_;  ///< velocities before `accelerate`, for Integrator::parabola and the track
     std::vector<Vec3> free_;   ///< velocities after it
 };
 

@@ -25,5 +25,8 @@ Outcome run_stepping(const Scene& scene, const Bisection& method, const RunOptio
 Outcome run_stepping(const Scene& scene, const Naive& method, const RunOptions& options, const Observer& observer);
 /// `passes` has no meaning here: contacts are solved together, to convergence or `sweeps`.
 Outcome run_stepping(const Scene& scene, const Moreau& method, const RunOptions& options, const Observer& observer);
+/// `passes` has no meaning here. Events carry the time of contact inside the substep; contacts that rest are none.
+Outcome run_stepping(const Scene& scene, const ImpactSubsteps& method, const RunOptions& options,
+                     const Observer& observer);
 
 }  // namespace carom
