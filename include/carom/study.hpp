@@ -64,14 +64,19 @@ struct RunStudy {
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options = {});
 
 struct CompareOptions {
-    std::vector<std::string> methods;         ///< as `make_method`; duplicates are run twice
-    std::vector<double> dt;                   ///< > 0, for discrete methods [time]
-    std::vector<int> substeps{1}, passes{1};  ///< >= 1; every combination is run
-    StepOptions step;                         ///< order, literal, seed for all
-    double until = 0;                         ///< > 0 [time]
-    int repeats = 3;                          ///< unrecorded runs for the time, >= 1
-    double repeat_seconds = 5;                ///< fewer repeats where they would take longer than this for one row [s]
+    // Every combination is a row, but none twice: a method is run once for values of options that it does not read.
+    std::vector<std::string> methods;                        ///< as `make_method`
+    std::vector<double> dt;                                  ///< > 0, for discrete methods [time]
+    std::vector<int> substeps{1}, passes{1};                 ///< >= 1
+    std::vector<ContactOrder> orders{ContactOrder::index};   ///< for methods that visit contacts one by one
+    std::vector<Integrator> integrators{Integrator::euler};  ///< where there is gravity
+    std::optional<std::vector<ImpactOperator>> impacts;      ///< for `event`; none: the scene's
+    StepOptions step;                                        ///< literal, seed for all
+    double until = 0;                                        ///< > 0 [time]
+    int repeats = 3;                  ///< timed runs at least, >= 1; more until the median is known to 5 %
+    double repeat_seconds = 5;        ///< fewer repeats where they would take longer than this for one row [s]
     std::optional<double> tolerance;  ///< position error that the verdict asks for [length]; none: `default_tolerance`
+    bool search_steps = false;        ///< find for each discrete method the largest step within the tolerance
     std::size_t intervals = study_intervals;
     OnProgress on_progress;  ///< stages "reference: ...", "reference", "methods"; false interrupts
 };
@@ -95,28 +100,59 @@ struct RowSeries {
 inline constexpr std::size_t max_track_spheres = 2000;
 inline constexpr std::size_t max_listed_mismatches = 200;  ///< of each kind and row
 
+/// Impacts that a method was put to one at a time: begun anew from the exact state at a random phase of the step before
+/// each, it takes two steps. For `event` they are those of its run beside those of the reference.
+struct Audit {
+    std::int64_t audited = 0;     ///< found + late + missed + wrong
+    std::int64_t found = 0;       ///< answered in its step, and after two steps the velocity is right to 1 % of |dv|
+    std::int64_t late = 0;        ///< answered in the step after
+    std::int64_t missed = 0;      ///< not answered
+    std::int64_t wrong = 0;       ///< answered in its step, but the velocity is not right
+    std::int64_t crowded = 0;     ///< questions not asked: a body has another contact within the two steps
+    std::int64_t looked_at = 0;   ///< two steps of bodies that have no impact in them, at random
+    std::int64_t invented = 0;    ///< of these, those in which the body answers all the same
+    std::optional<double> delay;  ///< mean time from impact to answer; none without an answer [steps]
+};
+
+/// The run from which the audit takes impacts and exact states.
+struct AuditSummary {
+    double until = 0;             ///< impacts up to here [time]
+    std::int64_t contacts = 0;    ///< impacts closing at v_c or faster
+    std::int64_t drawn = 0;       ///< of these, those that each method is asked about, chosen at random
+    int phases = 1;               ///< random phases of the step at which each of them is asked about
+    std::int64_t slow = 0;        ///< not asked about: closings below v_c, and tails of series, one each
+    std::int64_t persistent = 0;  ///< not asked about: contacts that began to last
+};
+
 /// One line of compare.csv. Optional figures are those that the comparison cannot give.
 struct CompareRow {
     std::string method;
     std::optional<double> dt;                          ///< none for `event` [time]
-    std::optional<int> substeps, passes;               ///< none for `event`
-    double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median and spread of `repeats` unrecorded runs [s]
+    std::optional<int> substeps, passes;               ///< none for `event`; passes for methods that read it
+    std::optional<ContactOrder> order;                 ///< of methods that read it
+    std::optional<Integrator> integrator;              ///< none for `event`
+    std::optional<ImpactOperator> impact;              ///< of `event`
+    double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median, least and greatest of `repeats` timed runs [s]
+    double cpu_low = 0, cpu_high = 0;                  ///< interval of the median, 95 % from six repeats on [s]
     int repeats = 0;  ///< 0: the recorded run alone was timed, it was too long to repeat
     /// Errors up to the end of the reference; none if that is before the first sample after the start [length]
     std::optional<double> position_rms, position_max;
     std::optional<double> position_final_rms,
-        position_final_max;              ///< at `until`; none if reference or run ends before [length]
+        position_final_max;              ///< at the end of what is compared; none if the run ends before [length]
     std::optional<double> velocity_rms;  ///< [length/time]
     std::optional<double> energy_error;  ///< max |E-E_ref| / max kinetic energy of the reference
-    double max_penetration = 0;          ///< [length]
+    double max_penetration = 0;          ///< discrete: before correction [length]
+    double overlap_left = 0;             ///< at samples, after correction [length]
     std::int64_t missed_impacts = 0, invented_impacts = 0;  ///< up to divergence_time
     /// Missed impacts that came, but more than 3 steps early or late: the pair has as many impacts left over.
     std::int64_t mistimed_impacts = 0;
     std::int64_t reference_impacts = 0;  ///< that could have been missed
     std::int64_t impacts = 0;
-    std::optional<double> rest_jitter;      ///< none if nothing rests in the reference [length/time]
-    std::optional<double> divergence_time;  ///< none: never further than 0.01 r_min from the reference [time]
-    double reference_bound = 0;             ///< [length]
+    std::optional<Audit> audit;                    ///< none where there is no truth or reference to ask
+    std::optional<std::int64_t> absorbed_impacts;  ///< event: impacts of the reference, slower than v_c, taken for rest
+    std::optional<double> rest_jitter;             ///< none if nothing rests in the reference [length/time]
+    std::optional<double> divergence_time;         ///< none: never further than 0.01 r_min from the reference [time]
+    double reference_bound = 0;                    ///< [length]
     std::int64_t steps = 0, root_solves = 0, pair_tests = 0;
     Status status = Status::reached_end;
     std::string message;  ///< of the run, for people
@@ -137,13 +173,43 @@ struct ReferenceSummary {
     double cpu_seconds = 0;                                 ///< [s]
 };
 
+/// How fast the errors of rows that differ in their step alone fall: error ~ dt^order.
+struct Convergence {
+    std::string method, variant;  ///< "pbd", ", parabola": what the rows have in common
+    double order = 0;             ///< by least squares through the logarithms
+    double uncertainty = 0;       ///< its standard error
+    std::size_t steps = 0;        ///< >= 3, that it was fitted to
+    bool stalled = false;         ///< the last three steps are of an order below 0.2
+    double last_error = 0;        ///< at the smallest step [length]
+};
+
+/// The largest step of a method, with what else it is given, that keeps within the tolerance.
+struct StepSearch {
+    enum class End : std::uint8_t {
+        found,
+        stalls,      ///< errors no longer fall
+        not_reached  ///< smaller steps would take too long, or it was interrupted
+    };
+    End end = End::not_reached;
+    std::string method, variant;                  ///< as Convergence
+    std::optional<CompareRow> row;                ///< found, measured in full
+    std::optional<double> too_far;                ///< the smallest step above it that does not hold [time]
+    std::optional<double> too_far_error;          ///< at that step [length]
+    std::optional<double> best_step, best_error;  ///< the smallest error of all tried [time], [length]
+};
+inline constexpr std::array<std::string_view, 3> step_search_names{"found", "stalls", "not_reached"};
+
 struct Comparison {
     double until = 0;                  ///< end asked for [time]
+    double compared_until = 0;         ///< end of what the rows cover: errors, counts and times [time]
     double tolerance = 0;              ///< [length]
     bool interrupted = false;          ///< rows are those finished before
-    std::vector<double> sample_times;  ///< all, up to `until` [time]
+    std::vector<double> sample_times;  ///< all, up to `compared_until` [time]
     ReferenceSummary reference;
+    AuditSummary audit;
     std::vector<CompareRow> rows;
+    std::vector<Convergence> convergence;
+    std::vector<StepSearch> searches;  ///< what they found is among the rows, too
     std::vector<std::string> verdict;  ///< sentences; the first says which method is right and by how much
 };
 
@@ -151,7 +217,7 @@ struct Comparison {
 /// lies within [1e-4, 0.5] of the smallest radius, otherwise 0.01 of the smallest radius.
 double default_tolerance(const Scene& scene);
 
-/// Reference, then for each method and step one recorded run (errors), then unrecorded ones (time).
+/// Reference, then for each method and step one recorded run (errors), then timed ones that give the same samples.
 /// \pre the scene is valid, options in range. \throws InputError for unknown method names.
 Comparison compare_methods(const Scene& scene, const CompareOptions& options);
 

@@ -20,8 +20,8 @@ using GivenOptions = std::map<std::string, std::string>;
 
 struct RunArguments {
     std::string scene;
-    GivenOptions given;  ///< method, dt, substeps, passes, order, literal, until, max_events, max_seconds, kernel,
-                         ///< certified, impact, guard
+    GivenOptions given;  ///< method, dt, substeps, passes, order, integrator, literal, most_impacts, until, max_events,
+                         ///< max_seconds, kernel, certified, impact, guard
     bool always_final = false, allow_overlap = false;
     std::vector<std::string> set;  ///< "/pointer=value"
     std::string out;               ///< folder for run.json; may be empty
@@ -30,7 +30,8 @@ struct RunArguments {
 
 struct CompareArguments {
     std::string scene;
-    GivenOptions given;  ///< methods, dt, substeps, passes, order, literal, until, repeats, tolerance, max_seconds
+    GivenOptions given;  ///< methods, dt, substeps, passes, order, integrator, literal, until, repeats, tolerance,
+                         ///< max_seconds, impact
     bool allow_overlap = false;
     std::vector<std::string> set;  ///< "/pointer=value"
     std::string out;               ///< folder; empty: out/compare-NAME

@@ -3,6 +3,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/limits.hpp"
 #include "cli/lists.hpp"
+#include "core/names.hpp"
 #include "io/problems.hpp"
 
 #include <carom/error.hpp>
@@ -37,6 +38,14 @@ double positive(double value, const std::string& text)
 long long at_least_one(const std::string& text)
 {
     return parse_integer(text, 1, largest_count);
+}
+
+ImpactOperator impact_operator(std::string_view word)
+{
+    if (const auto known = value_named<ImpactOperator>(word, impact_operator_names)) return *known;
+    const std::string text(word);
+    throw InputError(
+        {"unknown operator \"" + text + "\"" + io::suggestion(text, words_of(impact_operator_names), "take")});
 }
 
 std::string known_method(const std::string& word)
@@ -128,15 +137,41 @@ std::string Choices::text(const std::string& name) const
     return read(name, std::string(), [](const std::string& word) { return word; });
 }
 
-ContactOrder Choices::order() const
+template <typename T>
+T Choices::named(const std::string& name, T otherwise, T (*value_of)(std::string_view)) const
 {
-    return read("order", ContactOrder::index, [](const std::string& text) {
+    return read(name, otherwise, [value_of](const std::string& text) {
         try {
-            return contact_order(text);
+            return value_of(text);
         } catch (const InputError& error) {
             throw std::invalid_argument(error.what());
         }
     });
+}
+
+template <typename T>
+std::vector<T> Choices::named_list(const std::string& name, std::vector<T> otherwise,
+                                   T (*value_of)(std::string_view)) const
+{
+    return read(name, std::move(otherwise), [value_of](const std::string& text) {
+        std::vector<T> values;
+        for (const std::string& word : parse_words(text)) try {
+                values.push_back(value_of(word));
+            } catch (const InputError& error) {
+                throw std::invalid_argument(error.what());
+            }
+        return values;
+    });
+}
+
+StepOptions Choices::step(std::uint64_t seed) const
+{
+    StepOptions step;
+    step.order = named("order", step.order, contact_order);
+    step.integrator = named("integrator", step.integrator, integrator);
+    step.literal = flag("literal");
+    step.seed = seed;
+    return step;
 }
 
 bool Choices::flag(const std::string& name) const
@@ -166,15 +201,12 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
                          const std::string& file)
 {
     const Choices choices(args.given, scene.run, file + ": /run");
-    choices.expect_known({"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events",
-                          "max_seconds", "final", "kernel", "certified", "impact", "guard"});
-    StepOptions step;
+    choices.expect_known({"method", "dt", "substeps", "passes", "order", "integrator", "literal", "most_impacts",
+                          "until", "max_events", "max_seconds", "final", "kernel", "certified", "impact", "guard"});
+    StepOptions step = choices.step(global.seed.value_or(scene.seed));
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();
     step.passes = choices.integers("passes", {step.passes}).front();
-    step.order = choices.order();
-    step.literal = choices.flag("literal");
-    step.seed = global.seed.value_or(scene.seed);
     RunSettings settings;
     settings.method = make_method(choices.methods("method", {"event"}).front(), step);
     if (auto* event = std::get_if<EventDriven>(&settings.method)) {
@@ -182,6 +214,8 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
         event->certified = choices.flag("certified");
         choose_kernel(scene, event->kernel);  // a wrong name is the user's mistake: say so before anything runs
     }
+    if (auto* toi = std::get_if<ImpactSubsteps>(&settings.method))
+        toi->most_impacts = choices.integers("most_impacts", {toi->most_impacts}).front();
     settings.always_final = args.always_final || choices.flag("final");
     settings.run.until = choices.number("until", scene.end_time);
     settings.run.max_events = choices.integer("max_events", settings.run.max_events);
@@ -193,8 +227,8 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
                                  const std::string& file)
 {
     const Choices choices(args.given, scene.compare, file + ": /compare");
-    choices.expect_known(
-        {"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance", "max_seconds"});
+    choices.expect_known({"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats",
+                          "tolerance", "max_seconds", "impact"});
     CompareSettings settings;
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
     CompareOptions& options = settings.compare;
@@ -202,12 +236,16 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
     options.dt = choices.numbers("dt", {1.0 / 60, 1.0 / 240, 1.0 / 1000});
     options.substeps = choices.integers("substeps", options.substeps);
     options.passes = choices.integers("passes", options.passes);
-    options.step.order = choices.order();
+    options.orders = choices.named_list("order", options.orders, contact_order);
+    options.integrators =
+        choices.named_list("integrator", {Integrator::euler, Integrator::parabola}, carom::integrator);
+    if (choices.has("impact")) options.impacts = choices.named_list<ImpactOperator>("impact", {}, impact_operator);
     options.step.literal = choices.flag("literal");
     options.step.seed = global.seed.value_or(scene.seed);
     options.until = choices.number("until", scene.end_time);
     options.repeats = static_cast<int>(std::min(choices.integer("repeats", options.repeats), most_repeats));
-    if (choices.has("tolerance")) options.tolerance = choices.number("tolerance", 0);
+    options.search_steps = choices.has("tolerance");
+    if (options.search_steps) options.tolerance = choices.number("tolerance", 0);
     return settings;
 }
 

@@ -8,8 +8,10 @@
 #include <carom/scene.hpp>
 #include <carom/study.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carom::cli {
@@ -27,16 +29,21 @@ public:
     std::vector<int> integers(const std::string& name, std::vector<int> otherwise) const;       ///< each >= 1
     std::vector<std::string> methods(const std::string& name,
                                      std::vector<std::string> otherwise) const;  ///< known ones
-    ContactOrder order() const;
+    StepOptions step(std::uint64_t seed) const;  ///< order, integrator, literal; dt, substeps, passes as built in
     std::string word(const std::string& name, const std::vector<std::string>& known) const;  ///< \pre has(name)
     std::string text(const std::string& name) const;  ///< as given, empty if it is not
     bool flag(const std::string& name) const;
     bool has(const std::string& name) const;
 
+    template <typename T>
+    std::vector<T> named_list(const std::string& name, std::vector<T> otherwise, T (*value_of)(std::string_view)) const;
+
     /// \throws InputError if the defaults name an option that is not among `known`.
     void expect_known(const std::vector<std::string>& known) const;
 
 private:
+    template <typename T>
+    T named(const std::string& name, T otherwise, T (*value_of)(std::string_view)) const;
     template <typename T, typename Parse>
     T read(const std::string& name, T otherwise, Parse parse) const;
 

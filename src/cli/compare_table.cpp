@@ -1,23 +1,30 @@
+#include "cli/compare_audit.hpp"
 #include "cli/tables.hpp"
 
 #include "study/compare_columns.hpp"
+#include "study/cost_ratio.hpp"
 #include "study/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 namespace carom::cli {
 
 const char* const compare_legend =
     "max error: farthest that a sphere is from the reference at any of 200 sample times; at end: at the last of them\n"
     "energy err: most that the energy is off at a sample time, of the reference's largest kinetic energy\n"
-    "overlap: deepest, for a stepper before it corrects; jitter: rms speed of what rests in the reference\n"
-    "late: impacts that come more than 3 steps early or late; missed: that never come (compare.csv adds the two)\n"
-    "invented: impacts that the reference does not have within 3 steps, the late ones among them\n"
+    "overlap: deepest, for a stepper before it corrects; left: after it, at sample times; jitter: rms speed of what "
+    "rests in the reference\n"
+    "found, late, missed, wrong: of the impacts audited, with the interval of 95 %: answered in their step with the\n"
+    "  right velocity; in the step after; not at all; with another velocity; crowded: not audited, another is too "
+    "near\n"
+    "invented: two steps of a body without an impact in which it answers one; event: beside the reference's impacts\n"
+    "run missed, run invented: impacts of the whole run that never come, or that the reference has not\n"
     "diverges: when a sphere is first off by 0.01 of the smallest radius; impacts are counted up to then\n"
-    "CPU: median of the repeats; x event: that over the event run's\n";
+    "CPU: median of the repeats, samples included; x event: that over the event run's, with the interval of 95 %\n";
 
 namespace {
 
@@ -68,6 +75,22 @@ std::string status_text(const CompareRow& row)
     return row.status == Status::reached_end ? status : status + " at " + time_text(row.time, "");
 }
 
+/// What a row has in a column of words; "-" for nothing.
+std::string word(std::string_view column, const CompareRow& row)
+{
+    const std::string text = std::get<std::string>(study::compare_column(column).cell(row));
+    return text.empty() ? "-" : text;
+}
+
+/// Whether rows that have something in a column of words have different things.
+bool differs(const Comparison& comparison, std::string_view column)
+{
+    std::set<std::string> words;
+    for (const CompareRow& row : comparison.rows) words.insert(word(column, row));
+    words.erase("-");
+    return words.size() > 1;
+}
+
 std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
 {
     const Units& units = scene.units;
@@ -77,12 +100,6 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
         return std::any_of(comparison.rows.begin(), comparison.rows.end(),
                            [&](const CompareRow& r) { return (r.*member).value_or(1) != 1; });
     };
-    const auto event =
-        std::find_if(comparison.rows.begin(), comparison.rows.end(), [](const CompareRow& r) { return !r.dt; });
-    // A run that stopped early is no measure of what going to the end costs.
-    const double unit_cost =
-        event != comparison.rows.end() && event->status == Status::reached_end ? event->cpu_seconds : 0;
-
     std::vector<Column> all;
     all.push_back({named("method"), [](const CompareRow& r) { return r.method; }});
     all.push_back({named("dt"), [](const CompareRow& r) { return r.dt ? step_text(*r.dt) : "-"; }});
@@ -90,6 +107,8 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
         all.push_back({named("substeps"), [=](const CompareRow& r) { return number(r.substeps); }});
     if (several(&CompareRow::passes))
         all.push_back({named("passes"), [=](const CompareRow& r) { return number(r.passes); }});
+    for (const char* name : {"order", "integrator", "impact"})
+        if (differs(comparison, name)) all.push_back({named(name), [=](const CompareRow& r) { return word(name, r); }});
     all.push_back({named("position_max"), [](const CompareRow& r) { return figure(r.position_max); }});
     all.push_back({"within " + study::length_text(comparison.tolerance, units.length),
                    [&](const CompareRow& r) {
@@ -100,8 +119,19 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
         {named("position_final_max"), [](const CompareRow& r) { return figure(r.position_final_max); }, false});
     all.push_back({named("energy_error"), [](const CompareRow& r) { return figure(r.energy_error); }, false});
     all.push_back({named("max_penetration"), [](const CompareRow& r) { return figure(r.max_penetration); }});
-    all.push_back({"late",
-                   [](const CompareRow& r) { return never_judged(r) ? "-" : std::to_string(r.mistimed_impacts); },
+    all.push_back({named("overlap_left"), [](const CompareRow& r) { return figure(r.overlap_left); }, false});
+    all.push_back({named("audited"),
+                   [](const CompareRow& r) { return r.audit ? std::to_string(r.audit->audited) : "-"; }, false});
+    all.push_back(
+        {named("found"), [](const CompareRow& r) { return share_with_interval(r.audit, &Audit::found); }, false});
+    for (const auto& [name, part] :
+         {std::pair("late", &Audit::late), std::pair("missed", &Audit::missed), std::pair("wrong", &Audit::wrong)})
+        all.push_back({named(name), [part](const CompareRow& r) { return share_cell(r.audit, part); }, false});
+    all.push_back({named("invented"),
+                   [](const CompareRow& r) { return share_cell(r.audit, &Audit::invented, &Audit::looked_at); },
+                   false});
+    all.push_back({named("crowded"),
+                   [](const CompareRow& r) { return r.audit && r.dt ? std::to_string(r.audit->crowded) : "-"; },
                    false});
     all.push_back({named("missed_impacts"),
                    [](const CompareRow& r) {
@@ -115,15 +145,20 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
                        return never_judged(r) && r.invented_impacts == 0 ? "-" : std::to_string(r.invented_impacts);
                    },
                    false});
+    all.push_back({named("absorbed"),
+                   [](const CompareRow& r) { return r.absorbed_impacts ? std::to_string(*r.absorbed_impacts) : "-"; },
+                   false});
     all.push_back({named("rest_jitter"), [](const CompareRow& r) { return figure(r.rest_jitter); }, false});
     all.push_back({named("divergence_time"),
                    [](const CompareRow& r) { return r.divergence_time ? time_text(*r.divergence_time, "") : "-"; },
                    false});
     all.push_back({named("cpu_seconds"), [](const CompareRow& r) { return seconds_text(r.cpu_seconds); }});
-    all.push_back(
-        {"x event",
-         [=](const CompareRow& r) { return unit_cost > 0 ? study::two_digits(r.cpu_seconds / unit_cost) : "-"; },
-         false});
+    all.push_back({"x event",
+                   [&](const CompareRow& r) {
+                       const auto ratio = study::cost_ratio(comparison, r);
+                       return ratio ? study::ratio_text(*ratio) : "-";
+                   },
+                   false});
     all.push_back({named("status"), status_text});
     return all;
 }
@@ -142,7 +177,7 @@ std::string head(const Scene& scene, const Comparison& comparison)
     if (const double radius = smallest_radius(scene); radius > 0)
         text += " (" + study::two_digits(comparison.tolerance / radius) +
                 " of the smallest radius; --tolerance changes it)";
-    return text + "\n";
+    return text + "\n" + audit_line(comparison);
 }
 
 }  // namespace

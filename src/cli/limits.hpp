@@ -22,6 +22,8 @@ inline constexpr double progress_after = 1;
 /// Time [s] between two of its changes: an eye follows five a second.
 inline constexpr double progress_every = 0.2;
 
+/// Per cent [1] in a whole: that is what the word means.
+inline constexpr double per_cent = 100;
 /// Bodies [lines] that a table lists one by one: more would push the rest off the screen.
 inline constexpr std::size_t most_listed_bodies = 10;
 /// Gain of energy [largest kinetic energy] that is rounding: contacts and flights give none.

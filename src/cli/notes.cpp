@@ -14,12 +14,14 @@ std::vector<std::string> ignored_options(const GivenOptions& given, const Method
 {
     const bool steps = step_options(method) != nullptr;
     std::vector<std::string> notes;
-    for (const char* option : {"dt", "substeps", "passes", "order"})
+    for (const char* option : {"dt", "substeps", "passes", "order", "integrator"})
         if (!steps && given.contains(option))
             notes.push_back(std::string("--") + option + " has no effect: " + std::string(name(method)) +
                             " takes no steps (name a stepping method: --method pbd)");
     if (given.contains("literal") && name(method) != "pbd")
         notes.push_back("--literal has no effect: it is for --method pbd");
+    if (given.contains("most_impacts") && name(method) != "toi")
+        notes.push_back("--most-impacts has no effect: it is for --method toi");
     if (given.contains("kernel") && steps)
         notes.push_back("--kernel has no effect: it is for the event method, not for " + std::string(name(method)));
     if (given.contains("certified") && steps)

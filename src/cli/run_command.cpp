@@ -83,8 +83,9 @@ void explain_settings(const Scene& scene, const std::filesystem::path& file, con
     console.err << fmt::format("impact: {}\nrest: {}\nguard: {}\n", impact_words(scene), rest_words(scene),
                                guard_words(scene));
     if (const StepOptions* step = step_options(settings.method))
-        console.err << fmt::format("step: dt {:.10g}, {} substeps, {} passes, order {}, seed {}\n", step->dt,
-                                   step->substeps, step->passes, name(step->order), step->seed);
+        console.err << fmt::format("step: dt {:.10g}, {} substeps, {} passes, order {}, integrator {}, seed {}\n",
+                                   step->dt, step->substeps, step->passes, name(step->order), name(step->integrator),
+                                   step->seed);
 }
 
 }  // namespace

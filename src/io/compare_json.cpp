@@ -1,5 +1,9 @@
+#include "core/names.hpp"
 #include "io/compare_files.hpp"
+#include "io/machine.hpp"
 #include "study/compare_columns.hpp"
+#include "study/cost_ratio.hpp"
+#include "study/share.hpp"
 
 #include "io/lift_json.hpp"
 
@@ -19,7 +23,43 @@ Json mismatches_json(const Scene& scene, const std::vector<ImpactMismatch>& list
     return json;
 }
 
-Json row_json(const Scene& scene, const CompareRow& row)
+Json number_json(const std::optional<double>& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
+/// A share and the ends of its interval; null of nothing.
+Json share_json(std::int64_t part, std::int64_t whole)
+{
+    if (whole == 0) return nullptr;
+    const study::Share share = study::wilson_share(part, whole);
+    return Json::array({share.value, share.low, share.high});
+}
+
+/// What the audit's counts are out of: shares with intervals of 95 %.
+Json audit_json(const std::optional<Audit>& audit)
+{
+    if (!audit) return nullptr;
+    return {{"found", share_json(audit->found, audit->audited)},
+            {"late", share_json(audit->late, audit->audited)},
+            {"missed", share_json(audit->missed, audit->audited)},
+            {"wrong", share_json(audit->wrong, audit->audited)},
+            {"invented", share_json(audit->invented, audit->looked_at)},
+            {"looked_at", audit->looked_at},
+            {"delay", number_json(audit->delay)}};
+}
+
+Json interval_json(double value, double low, double high)
+{
+    return Json::array({value, low, high});
+}
+
+Json machine_json(const Machine& machine)
+{
+    return {{"cpu", machine.cpu}, {"threads", machine.threads}, {"compiler", machine.compiler}};
+}
+
+Json row_json(const Scene& scene, const Comparison& comparison, const CompareRow& row)
 {
     // First the keys of the CSV in its order, then what only JSON carries.
     Json json;
@@ -28,12 +68,35 @@ Json row_json(const Scene& scene, const CompareRow& row)
     json["message"] = row.message;
     json["time"] = row.time;
     json["repeats"] = row.repeats;
+    json["cpu_interval"] = interval_json(row.cpu_seconds, row.cpu_low, row.cpu_high);
+    const std::optional<study::Ratio> ratio = study::cost_ratio(comparison, row);
+    json["cpu_ratio"] = ratio ? interval_json(ratio->value, ratio->low, ratio->high) : Json(nullptr);
     json["reference_impacts"] = row.reference_impacts;
     json["mistimed_impacts"] = row.mistimed_impacts;
-    json["missed"] = mismatches_json(scene, row.missed);
-    json["invented"] = mismatches_json(scene, row.invented);
+    json["missed_at"] = mismatches_json(scene, row.missed);
+    json["invented_at"] = mismatches_json(scene, row.invented);
+    json["audit"] = audit_json(row.audit);
     json["lifted"] = lifts_json(scene, row.lifts);
     return json;
+}
+
+Json convergence_json(const Convergence& fit)
+{
+    return {{"method", fit.method},           {"variant", fit.variant}, {"order", fit.order},
+            {"uncertainty", fit.uncertainty}, {"steps", fit.steps},     {"stalled", fit.stalled},
+            {"last_error", fit.last_error}};
+}
+
+Json search_json(const StepSearch& search)
+{
+    return {{"method", search.method},
+            {"variant", search.variant},
+            {"end", name_of(search.end, step_search_names)},
+            {"dt", number_json(search.row ? search.row->dt : std::nullopt)},
+            {"too_far", number_json(search.too_far)},
+            {"too_far_error", number_json(search.too_far_error)},
+            {"best_step", number_json(search.best_step)},
+            {"best_error", number_json(search.best_error)}};
 }
 
 std::string joined(const std::vector<std::string>& sentences)
@@ -50,6 +113,8 @@ std::string compare_json(const Scene& scene, const Comparison& comparison, const
     const ReferenceSummary& reference = comparison.reference;
     Json json = {{"format", "carom-compare/1"}, {"scene", scene.name}};
     json["until"] = comparison.until;
+    json["compared_until"] = comparison.compared_until;
+    json["machine"] = machine_json(this_machine());
     json["tolerance"] = comparison.tolerance;
     json["interrupted"] = comparison.interrupted;
     put_stopped(json, command);
@@ -61,8 +126,15 @@ std::string compare_json(const Scene& scene, const Comparison& comparison, const
                          {"impacts", reference.impacts},
                          {"series", reference.series},
                          {"cpu_seconds", reference.cpu_seconds}};
+    json["audit"] = {{"until", comparison.audit.until}, {"contacts", comparison.audit.contacts},
+                     {"drawn", comparison.audit.drawn}, {"phases", comparison.audit.phases},
+                     {"slow", comparison.audit.slow},   {"persistent", comparison.audit.persistent}};
     json["rows"] = Json::array();
-    for (const CompareRow& row : comparison.rows) json["rows"].push_back(row_json(scene, row));
+    for (const CompareRow& row : comparison.rows) json["rows"].push_back(row_json(scene, comparison, row));
+    json["convergence"] = Json::array();
+    for (const Convergence& fit : comparison.convergence) json["convergence"].push_back(convergence_json(fit));
+    json["searches"] = Json::array();
+    for (const StepSearch& search : comparison.searches) json["searches"].push_back(search_json(search));
     json["verdict"] = joined(comparison.verdict);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -66,9 +66,13 @@ Json body_seconds_json(const BodyTimes& times)
 
 Json step_json(const StepOptions& step)
 {
-    return {{"dt", step.dt},           {"substeps", step.substeps},
-            {"passes", step.passes},   {"order", std::string(name(step.order))},
-            {"literal", step.literal}, {"seed", step.seed}};
+    return {{"dt", step.dt},
+            {"substeps", step.substeps},
+            {"passes", step.passes},
+            {"order", std::string(name(step.order))},
+            {"integrator", std::string(name(step.integrator))},
+            {"literal", step.literal},
+            {"seed", step.seed}};
 }
 
 Json pressure_json(const Scene& scene, const RunStudy& run)

@@ -17,11 +17,12 @@ const std::vector<CommandOptions>& command_options()
 {
     static const std::vector<CommandOptions> options{
         {"run",
-         {"method", "dt", "substeps", "passes", "order", "literal", "until", "max_events", "max_seconds", "final",
-          "kernel", "certified", "impact", "guard"},
+         {"method", "dt", "substeps", "passes", "order", "integrator", "literal", "most_impacts", "until", "max_events",
+          "max_seconds", "final", "kernel", "certified", "impact", "guard"},
          {"equilibrate"}},
         {"compare",
-         {"methods", "dt", "substeps", "passes", "order", "literal", "until", "repeats", "tolerance", "max_seconds"},
+         {"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats", "tolerance",
+          "max_seconds", "impact"},
          {}},
         {"tunnel", {"speed", "thickness", "radius", "dt", "methods", "trials", "bisect"}, {}},
         {"view", {"out"}, {}},

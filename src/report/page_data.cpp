@@ -1,5 +1,6 @@
 #include "report/page_data.hpp"
 
+#include "core/names.hpp"
 #include "report/scene_view.hpp"
 #include "report/tolerances.hpp"
 #include "study/compare_columns.hpp"
@@ -26,8 +27,9 @@ std::string label(const CompareRow& row)
 {
     std::string text = row.method;
     if (row.dt) text += ", dt = " + study::step_text(*row.dt);
-    if (row.substeps.value_or(1) > 1) text += ", " + std::to_string(*row.substeps) + " substeps";
-    if (row.passes.value_or(1) > 1) text += ", " + std::to_string(*row.passes) + " passes";
+    text += study::variant_text(row);
+    if (row.impact && *row.impact != ImpactOperator::reflections)
+        text += ", " + std::string(name_of(*row.impact, impact_operator_names));
     return text;
 }
 

@@ -81,17 +81,38 @@ const StepOptions* step_options(const Method& method)
         method);
 }
 
+namespace {
+
+/// The value called `wanted`. \param what the names are of, for messages
+template <class Enum, std::size_t N>
+Enum known_value(std::string_view what, std::string_view wanted, const std::array<std::string_view, N>& names)
+{
+    if (const auto value = value_named<Enum>(wanted, names)) return *value;
+    std::string known;
+    for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
+    throw InputError({"unknown " + std::string(what) + " \"" + std::string(wanted) + "\" (take " + known + ")"});
+}
+
+}  // namespace
+
 ContactOrder contact_order(std::string_view wanted)
 {
-    if (const auto order = value_named<ContactOrder>(wanted, contact_order_names)) return *order;
-    std::string known;
-    for (const std::string_view name : contact_order_names) known += (known.empty() ? "" : ", ") + std::string(name);
-    throw InputError({"unknown order \"" + std::string(wanted) + "\" (take " + known + ")"});
+    return known_value<ContactOrder>("order", wanted, contact_order_names);
 }
 
 std::string_view name(ContactOrder order)
 {
     return name_of(order, contact_order_names);
+}
+
+Integrator integrator(std::string_view wanted)
+{
+    return known_value<Integrator>("integrator", wanted, integrator_names);
+}
+
+std::string_view name(Integrator integrator)
+{
+    return name_of(integrator, integrator_names);
 }
 
 std::vector<double> sample_grid(double until, std::size_t n)

@@ -20,18 +20,6 @@ Bodies make_bodies(const Scene& scene)
     return bodies;
 }
 
-void accelerate(Bodies& bodies, const Vec3& gravity, double h)
-{
-    const Vec3 change = h * gravity;
-    for (Vec3& v : bodies.velocity) v += change;
-    for (const std::size_t i : bodies.fixed) bodies.velocity[i] = Vec3::Zero();
-}
-
-void move(Bodies& bodies, double h)
-{
-    for (std::size_t i = 0; i < bodies.size(); ++i) bodies.position[i] += h * bodies.velocity[i];
-}
-
 std::size_t first_diverged(const Bodies& bodies)
 {
     // One sum decides for all: 0 * x is 0 for finite x, else NaN. Only a failure looks at each sphere.

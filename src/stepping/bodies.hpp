@@ -1,5 +1,5 @@
 /// \file
-/// The spheres of a run as arrays, and their free motion.
+/// The spheres of a run as arrays.
 #pragma once
 
 #include <carom/simulate.hpp>
@@ -23,11 +23,6 @@ struct Bodies {
 };
 
 Bodies make_bodies(const Scene& scene);
-
-/// v += h g for all that move.
-void accelerate(Bodies& bodies, const Vec3& gravity, double h);
-/// p += h v for all.
-void move(Bodies& bodies, double h);
 
 /// The states as everybody else sees them: relative to the scene's origin.
 void show_states(const Bodies& bodies, std::vector<BodyState>& states);

@@ -9,10 +9,7 @@ namespace carom::stepping {
 std::uint64_t ContactArranger::draw()
 {
     state_ += 0x9e3779b97f4a7c15;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
+    return mix_bits(state_);
 }
 
 void ContactArranger::arrange(std::vector<Contact>& contacts)
@@ -20,6 +17,7 @@ void ContactArranger::arrange(std::vector<Contact>& contacts)
     if (contacts.size() < 2) return;
     switch (order_) {
         case ContactOrder::index:
+        case ContactOrder::jacobi:
             return;
         case ContactOrder::reverse:
             std::reverse(contacts.begin(), contacts.end());

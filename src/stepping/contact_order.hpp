@@ -11,6 +11,14 @@
 
 namespace carom::stepping {
 
+/// The finaliser of SplitMix64: numbers that differ in a bit become numbers without relation.
+constexpr std::uint64_t mix_bits(std::uint64_t z)
+{
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return z ^ (z >> 31);
+}
+
 class ContactArranger {
 public:
     ContactArranger(ContactOrder order, std::uint64_t seed) : order_(order), state_(seed) {}

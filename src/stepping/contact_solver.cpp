@@ -8,9 +8,9 @@
 
 namespace carom::stepping {
 
-int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps, Patience& patience)
+int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps, Patience& patience, double scale)
 {
-    double largest = 0;  // lacking velocity met so far
+    double largest = scale;  // lacking velocity met so far
     for (int sweep = 1; sweep <= sweeps; ++sweep) {
         double change = 0;
         for (ContactRow& row : rows) {

@@ -42,6 +42,7 @@ public:
     /// Fixed spheres have no contacts with each other and with walls: nothing could come of them.
     bool is_fixed(std::size_t sphere) const { return !fixed_.empty() && fixed_[sphere] != 0; }
     bool is_wall(BodyId body) const { return body >= spheres_; }
+    std::size_t walls() const { return walls_.size(); }
     const Wall& wall(BodyId body) const { return walls_[static_cast<std::size_t>(body - spheres_)]; }
 
     std::int64_t tests = 0;  ///< gaps examined

@@ -18,11 +18,15 @@ std::string text(double value)
 
 }  // namespace
 
-std::string option_problem(const StepOptions& options, double until)
+std::string option_problem(const StepOptions& options, double until, std::span<const ContactOrder> more_orders)
 {
     if (!(options.dt > 0) || !std::isfinite(options.dt)) return "dt must be > 0 and finite, is " + text(options.dt);
     if (options.substeps < 1) return "substeps must be at least 1, is " + std::to_string(options.substeps);
     if (options.passes < 1) return "passes must be at least 1, is " + std::to_string(options.passes);
+    if (options.order > ContactOrder::deepest &&
+        std::find(more_orders.begin(), more_orders.end(), options.order) == more_orders.end())
+        return "this method has no order " + std::string(name(options.order)) +
+               " (take index, reverse, random or deepest)";
     if (!(until >= 0) || !std::isfinite(until)) return "until must be >= 0 and finite, is " + text(until);
     return "";
 }

@@ -9,12 +9,14 @@
 
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <string>
 
 namespace carom::stepping {
 
 /// What is wrong with the options, empty if nothing.
-std::string option_problem(const StepOptions& options, double until);
+/// \param more_orders those that the method knows beside index, reverse, random and deepest
+std::string option_problem(const StepOptions& options, double until, std::span<const ContactOrder> more_orders);
 std::string divergence_message(const Scene& scene, std::size_t sphere, double time);
 std::string limit_message(const char* what, double time, double until);
 /// The outcome from the state as it is.
@@ -40,14 +42,24 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// \tparam Stepper has advance(System&, const Substep&) and finish(System&).
+template <class Stepper>
+constexpr std::span<const ContactOrder> more_orders_of()
+{
+    if constexpr (requires { Stepper::more_orders; })
+        return Stepper::more_orders;
+    else
+        return {};
+}
+
+/// \tparam Stepper has advance(System&, const Substep&) and finish(System&), and may have an array `more_orders`: see
+/// option_problem.
 template <class Stepper>
 Outcome drive(const Scene& scene, const StepOptions& options, const RunOptions& run, const Observer& observer,
               System& system, Stepper& stepper)
 {
     const double until = std::isnan(run.until) ? scene.end_time : run.until;
     Outcome outcome;
-    outcome.message = option_problem(options, until);
+    outcome.message = option_problem(options, until, more_orders_of<Stepper>());
     if (!outcome.message.empty()) {
         outcome.status = Status::unresolved;
         return collect(system, outcome);
@@ -69,7 +81,7 @@ Outcome drive(const Scene& scene, const StepOptions& options, const RunOptions& 
                 return stop(Status::event_limit, limit_message("the limit of substeps", outcome.time, until));
             const Substep substep = timeline.substep(step, k);
             const bool sampled = sampler.due(substep.end);
-            if (sampled) sampler.keep(system.bodies);
+            system.motion.track().want(sampled);
             stepper.advance(system, substep);
             system.impacts.close();
             ++outcome.counts.steps;
@@ -77,7 +89,7 @@ Outcome drive(const Scene& scene, const StepOptions& options, const RunOptions& 
             const std::size_t diverged = first_diverged(system.bodies);
             if (diverged < system.bodies.size())
                 return stop(Status::unresolved, divergence_message(scene, diverged, substep.end));
-            if (sampled) sampler.show(substep, system.bodies);
+            if (sampled) sampler.show(substep, system.bodies, system.motion.track());
             const Status status = watch.look(outcome.counts.steps, substep.end);
             if (status == Status::interrupted)
                 return stop(status, limit_message("a request to stop", substep.end, until));

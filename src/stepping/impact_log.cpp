@@ -26,6 +26,11 @@ void ImpactLog::add(const Contact& contact, const Impulse& impulse, double time)
     }
 }
 
+void ImpactLog::press(const Contact& contact, double impulse)
+{
+    if (contact.b >= spheres_) plane_impulses_[static_cast<std::size_t>(contact.b - spheres_)] += impulse;
+}
+
 void ImpactLog::close()
 {
     if (pending_.empty()) return;

@@ -18,6 +18,8 @@ public:
     ImpactLog(const Scene& scene, const Observer& observer, bool merge);
 
     void add(const Contact& contact, const Impulse& impulse, double time);
+    /// The impulse of a contact that rests, which is no impact: a plane feels it.
+    void press(const Contact& contact, double impulse);
     /// End of a substep.
     void close();
 

@@ -15,8 +15,7 @@ class NaiveStepper {
 public:
     void advance(System& system, const Substep& substep)
     {
-        accelerate(system.bodies, system.gravity, substep.length);
-        move(system.bodies, substep.length);
+        system.motion.fly(system.bodies, substep.length);
         contacts_.clear();
         system.detector.find_pairs(system.bodies.position, system.bodies.radius, contacts_);
         system.detector.find_walls(system.bodies.position, system.bodies.radius, contacts_);

@@ -1,11 +1,18 @@
 /// \file
-/// Position based: move, then, contact by contact, respond and project the overlap away. Later contacts may undo
-/// earlier corrections: the result is good for the last constraints visited, the walls. (Name: Mueller, Heidelberger,
-/// Hennix, Ratcliff, Position based dynamics, 2007.)
+/// Position based: move, then, contact by contact, respond and project the overlap away. All pairs in one pass, each
+/// tested where those before it have left it, then all walls in the same way. Later contacts may undo earlier
+/// corrections: the result is good for the last constraints visited, the walls. (Name: Mueller, Heidelberger, Hennix,
+/// Ratcliff, Position based dynamics, 2007.)
+///
+/// ContactOrder::jacobi: only what overlaps before the first correction of a phase is visited, in index order; a pair
+/// that a correction pushes together waits for the next pass or step.
 #include "stepping/driver.hpp"
+#include "stepping/pair_pass.hpp"
+#include "stepping/pass_order.hpp"
 #include "stepping/stepping.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace carom {
 
@@ -15,18 +22,22 @@ using namespace stepping;
 
 class PositionStepper {
 public:
-    PositionStepper(const PositionBased& method, std::size_t spheres) : method_(method), was_projected_(spheres, 0) {}
+    static constexpr std::array more_orders{ContactOrder::jacobi};
+
+    PositionStepper(const PositionBased& method, const std::vector<double>& radius)
+        : method_(method), pass_(radius), was_projected_(radius.size(), 0)
+    {
+    }
 
     void advance(System& system, const Substep& substep)
     {
-        accelerate(system.bodies, system.gravity, substep.length);  // A
-        move(system.bodies, substep.length);
+        system.motion.fly(system.bodies, substep.length);  // A
         for (int pass = 0; pass < method_.passes && !system.patience.ended(); ++pass) {
             detect(system, pass == 0);
-            const bool respond_now = pass == 0 || !method_.literal;
-            between_spheres(system, substep, respond_now);  // B
+            const Response response{pass == 0 || !method_.literal, substep.end};
+            between_spheres(system, response);  // B
             find_walls_again(system, pass == 0);
-            at_walls(system, substep, respond_now);  // C
+            at_walls(system, response);  // C
             system.patience.lasts_for(system.bodies.size() + pairs_.size() + walls_.size());
         }
     }
@@ -48,28 +59,43 @@ private:
         system.record(walls_);
     }
 
-    void update_velocity(System& system, const Contact& c, double time)
+    struct Response {
+        bool is_due;  ///< velocities are updated in this pass
+        double time;  ///< of its events
+    };
+
+    void update_velocity(System& system, const Contact& c, const Response& response)
     {
+        if (!response.is_due) return;
         if (method_.literal || normal_velocity(system.bodies, c) < 0)
-            system.impacts.add(c, respond(system.bodies, system.laws, c), time);
+            system.impacts.add(c, respond(system.bodies, system.laws, c), response.time);
     }
 
-    void between_spheres(System& system, const Substep& substep, bool respond_now)
+    void between_spheres(System& system, const Response& response)
     {
-        Bodies& bodies = system.bodies;
-        system.arranger.arrange(pairs_);
+        if (method_.order != ContactOrder::jacobi) {
+            pass_.run(system, pairs_, [&](const Contact& c) { correct_pair(system, c, response); });
+            return;
+        }
+        const Bodies& bodies = system.bodies;
         for (Contact& c : pairs_) {
             const std::size_t a = index(c.a), b = index(c.b);
             const Gap gap = sphere_gap(bodies.position[a], bodies.position[b], bodies.radius[a] + bodies.radius[b]);
             if (gap.value > 0) continue;  // an earlier projection has parted them
-            c.normal = gap.normal;
-            if (respond_now) update_velocity(system, c, substep.end);
-            const double share_a = share(bodies.inverse_mass[a], bodies.inverse_mass[b]);
-            bodies.position[a] -= (share_a * gap.value) * gap.normal;
-            bodies.position[b] += ((1 - share_a) * gap.value) * gap.normal;
-            note_projected(c.a);
-            note_projected(c.b);
+            correct_pair(system, {gap.value, c.a, c.b, gap.normal}, response);
         }
+    }
+
+    void correct_pair(System& system, const Contact& c, const Response& response)
+    {
+        Bodies& bodies = system.bodies;
+        const std::size_t a = index(c.a), b = index(c.b);
+        update_velocity(system, c, response);
+        const double share_a = share(bodies.inverse_mass[a], bodies.inverse_mass[b]);
+        bodies.position[a] -= (share_a * c.gap) * c.normal;
+        bodies.position[b] += ((1 - share_a) * c.gap) * c.normal;
+        note_projected(c.a);
+        note_projected(c.b);
     }
 
     /// What a takes of a projection: half, or by inverse mass; beside a fixed sphere all of it.
@@ -79,18 +105,43 @@ private:
         return weighted ? inverse_a / (inverse_a + inverse_b) : 0.5;
     }
 
-    void at_walls(System& system, const Substep& substep, bool respond_now)
+    void at_walls(System& system, const Response& response)
     {
-        Bodies& bodies = system.bodies;
-        system.arranger.arrange(walls_);
-        for (Contact& c : walls_) {
-            const std::size_t a = index(c.a);
-            const Gap gap = wall_gap(system.detector.wall(c.b), bodies.position[a], bodies.radius[a]);
-            if (gap.value > 0) continue;
-            c.normal = gap.normal;
-            if (respond_now) update_velocity(system, c, substep.end);
-            bodies.position[a] -= gap.value * gap.normal;
+        list_visits_of_walls(system);
+        for (const Visit& visit : visits_) {
+            const std::size_t a = index(visit.a);
+            const Vec3& p = system.bodies.position[a];
+            const Wall& wall = system.detector.wall(visit.b);
+            if (!overlap(wall, p, system.bodies.radius[a])) continue;
+            const Gap gap = wall_gap(wall, p, system.bodies.radius[a]);
+            update_velocity(system, {gap.value, visit.a, visit.b, gap.normal}, response);
+            system.bodies.position[a] -= gap.value * gap.normal;
         }
+    }
+
+    /// All walls of each sphere that touches one: a projection off one may bring it into another. Spheres do not change
+    /// each other here, so those that touch none are done.
+    void list_visits_of_walls(System& system)
+    {
+        const PassOrder order(system.arranger);
+        visits_.clear();
+        BodyId listed = no_body;
+        for (const Contact& c : walls_) {
+            if (method_.order == ContactOrder::jacobi) {
+                visits_.push_back(order.visit(c.a, c.b, c.gap));
+                continue;
+            }
+            if (c.a == listed) continue;
+            listed = c.a;
+            const std::size_t a = index(c.a);
+            const auto all = static_cast<BodyId>(system.bodies.size() + system.detector.walls());
+            for (auto b = static_cast<BodyId>(system.bodies.size()); b < all; ++b) {
+                const double gap =
+                    wall_gap(system.detector.wall(b), system.bodies.position[a], system.bodies.radius[a]).value;
+                visits_.push_back(order.visit(c.a, b, gap));
+            }
+        }
+        if (!std::is_sorted(visits_.begin(), visits_.end())) std::sort(visits_.begin(), visits_.end());
     }
 
     void note_projected(BodyId sphere)
@@ -121,7 +172,9 @@ private:
     }
 
     const PositionBased& method_;
+    PairPass pass_;
     std::vector<Contact> pairs_, walls_;
+    std::vector<Visit> visits_;      ///< of spheres at walls
     std::vector<BodyId> projected_;  ///< by phase B of this pass
     std::vector<std::uint8_t> was_projected_;
 };
@@ -132,7 +185,7 @@ Outcome run_stepping(const Scene& scene, const PositionBased& method, const RunO
                      const Observer& observer)
 {
     System system(scene, method, observer, method.passes > 1);
-    PositionStepper stepper(method, scene.spheres.size());
+    PositionStepper stepper(method, system.bodies.radius);
     return drive(scene, method, options, observer, system, stepper);
 }
 

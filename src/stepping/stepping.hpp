@@ -1,8 +1,8 @@
 /// \file
 /// The discrete methods: step in time and look for overlaps, to be compared with the event-driven engine.
 ///
-/// Common to all: semi-implicit Euler, v += h g, then p += h v, with h = dt / substeps; ceil(until / dt) steps, the
-/// last one shortened so that the run ends exactly at `until`; step k begins at k dt (nothing accumulates). Contacts do
+/// Common to all: the motion between contacts (Integrator) with h = dt / substeps; ceil(until / dt) steps, the last one
+/// shortened so that the run ends exactly at `until`; step k begins at k dt (nothing accumulates). Contacts do
 /// not depend on how pairs are found: all pairs for few spheres, a cell grid for many, the same bits.
 #pragma once
 
@@ -25,5 +25,8 @@ Outcome run_stepping(const Scene& scene, const Bisection& method, const RunOptio
 Outcome run_stepping(const Scene& scene, const Naive& method, const RunOptions& options, const Observer& observer);
 /// `passes` has no meaning here: contacts are solved together, to convergence or `sweeps`.
 Outcome run_stepping(const Scene& scene, const Moreau& method, const RunOptions& options, const Observer& observer);
+/// `passes` has no meaning here. Events carry the time of contact inside the substep; contacts that rest are none.
+Outcome run_stepping(const Scene& scene, const ImpactSubsteps& method, const RunOptions& options,
+                     const Observer& observer);
 
 }  // namespace carom

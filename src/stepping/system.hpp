@@ -6,6 +6,7 @@
 #include "stepping/bodies.hpp"
 #include "stepping/contact_order.hpp"
 #include "stepping/detection.hpp"
+#include "stepping/free_motion.hpp"
 #include "stepping/impact_log.hpp"
 #include "stepping/law_table.hpp"
 #include "stepping/timeline.hpp"
@@ -17,7 +18,7 @@ namespace carom::stepping {
 struct System {
     System(const Scene& scene, const StepOptions& options, const Observer& observer, bool merge_impacts)
         : bodies(make_bodies(scene)),
-          gravity(scene.gravity),
+          motion(scene.gravity, options.integrator),
           laws(scene),
           detector(scene),
           arranger(options.order, options.seed),
@@ -31,7 +32,7 @@ struct System {
     }
 
     Bodies bodies;
-    Vec3 gravity;  ///< [length/time^2]
+    FreeMotion motion;
     LawTable laws;
     Detector detector;
     ContactArranger arranger;

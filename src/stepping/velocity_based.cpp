@@ -1,6 +1,11 @@
 /// \file
 /// Velocity based: contacts are the gaps at the start of the substep, impulses change velocities only, positions
 /// follow. Nothing ever moves overlapping spheres apart: an existing overlap persists. That is the method.
+///
+/// With Integrator::parabola bounces act where the gap is seen, at the start, on the velocities there: what flies on
+/// from an elastic bounce keeps its energy to rounding. What gravity then adds against a closed contact is cancelled as
+/// a force that lasts the substep (FreeMotion::move_pushed). With Integrator::euler both act on the velocities that
+/// gravity has changed already, as the handout has it.
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
 
@@ -20,15 +25,16 @@ public:
         // The positions are those that the previous substep left. The first ones are the scene's, not the method's.
         if (started_) system.record(contacts_);
         started_ = true;
-        accelerate(system.bodies, system.gravity, substep.length);  // A
-        if (!contacts_.empty()) {
-            system.arranger.arrange(contacts_);
-            for (int pass = 0; pass < passes_ && system.patience.lasts_for(contacts_.size()); ++pass) {
-                bounce(system, substep);
-                cancel(system, substep);
-            }
+        system.arranger.arrange(contacts_);
+        if (system.motion.integrator() == Integrator::parabola) {
+            respond_in_passes(system, substep);
+            system.motion.accelerate(system.bodies, substep.length);
+            support_in_passes(system, substep);
+        } else {
+            system.motion.accelerate(system.bodies, substep.length);  // A
+            respond_in_passes(system, substep);                       // B, C
         }
-        move(system.bodies, substep.length);  // D
+        system.motion.move_pushed(system.bodies, substep.length);  // D
     }
 
     void finish(System& system)
@@ -45,6 +51,21 @@ private:
         system.detector.find_pairs(system.bodies.position, system.bodies.radius, contacts_);
         system.detector.find_walls(system.bodies.position, system.bodies.radius, contacts_);
     }
+
+    void respond_in_passes(System& system, const Substep& substep)
+    {
+        for (int pass = 0; pass < passes_ && may_go_on(system); ++pass) {
+            bounce(system, substep);
+            cancel(system, substep);
+        }
+    }
+
+    void support_in_passes(System& system, const Substep& substep)
+    {
+        for (int pass = 0; pass < passes_ && may_go_on(system); ++pass) cancel(system, substep);
+    }
+
+    bool may_go_on(System& system) const { return !contacts_.empty() && system.patience.lasts_for(contacts_.size()); }
 
     /// Phase B: collisions, for contacts that approach.
     void bounce(System& system, const Substep& substep)

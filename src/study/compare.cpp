@@ -1,42 +1,16 @@
 #include "core/expect.hpp"
 #include "core/patience.hpp"
-#include "reference/reference.hpp"
 #include "study/clock.hpp"
-#include "study/row.hpp"
+#include "study/fit_orders.hpp"
+#include "study/measure_row.hpp"
+#include "study/step_search.hpp"
 #include "study/tolerances.hpp"
-#include "study/words.hpp"
 
 #include <carom/study.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace carom {
 
 namespace {
-
-/// Every method with every step, in the order asked for.
-std::vector<Method> methods_to_run(const CompareOptions& options)
-{
-    std::vector<Method> methods;
-    for (const std::string& wanted : options.methods) {
-        const Method first = make_method(wanted, options.step);
-        if (step_options(first) == nullptr) {
-            methods.push_back(first);
-            continue;
-        }
-        for (const double dt : options.dt)
-            for (const int substeps : options.substeps)
-                for (const int passes : options.passes) {
-                    StepOptions step = options.step;
-                    step.dt = dt;
-                    step.substeps = substeps;
-                    step.passes = passes;
-                    methods.push_back(make_method(wanted, step));
-                }
-    }
-    return methods;
-}
 
 /// A guess at the work of a row, for the progress line only.
 double weight(const Method& method, double until)
@@ -45,26 +19,22 @@ double weight(const Method& method, double until)
     return step == nullptr ? study::event_run_in_steps : until / step->dt * step->substeps * step->passes + 1;
 }
 
-std::string label(const Method& method)
+ReferenceSummary summary(const study::ComparedReference& compared, double cpu_seconds)
 {
-    std::string text(name(method));
-    if (const StepOptions* step = step_options(method)) text += " dt " + study::step_text(step->dt);
-    return text;
-}
-
-ReferenceSummary summary(const Reference& reference, double cpu_seconds)
-{
+    const Reference& reference = compared.reference;
     ReferenceSummary result;
     result.kind = reference.kind == Reference::Kind::closed_form ? "closed_form" : "multiprecision";
     result.bound = reference.bound;
     result.until = reference.until;
-    result.reason = reference.reason;
+    result.reason = compared.reason;
     result.impacts = static_cast<std::int64_t>(reference.impacts.size());
     result.series = static_cast<std::int64_t>(reference.series.size());
-    result.sample_times = reference.sample_times;
     result.cpu_seconds = cpu_seconds;
-    for (const auto& states : reference.samples) {
-        if (states.size() > max_track_spheres) break;
+    for (std::size_t moment = 0; moment < reference.samples.size(); ++moment) {
+        if (compared.times.goes_on(moment)) continue;
+        result.sample_times.push_back(compared.times.grid[compared.times.sample[moment]]);
+        const std::vector<BodyState>& states = reference.samples[moment];
+        if (states.size() > max_track_spheres) continue;
         auto& frame = result.tracks.emplace_back();
         for (const BodyState& s : states) {
             const Eigen::Vector3f x = s.position.cast<float>();
@@ -74,16 +44,38 @@ ReferenceSummary summary(const Reference& reference, double cpu_seconds)
     return result;
 }
 
-/// Runs for the time, and what they say of it.
-void time_row(const study::RowTask& task, const CompareOptions& options, study::RecordedRow& recorded)
+/// The comparison's rows, as far as patience lasts.
+void measure_rows(const study::RowMeasurer& measurer, const std::vector<study::RowPlan>& plans, Comparison& result)
 {
-    std::vector<double> times = study::time_runs(task, recorded.cpu_seconds, {options.repeats, options.repeat_seconds});
-    CompareRow& row = recorded.row;
-    row.repeats = static_cast<int>(times.size());
-    if (times.empty()) times.push_back(recorded.cpu_seconds);
-    row.cpu_seconds = study::median(times);
-    row.cpu_min = *std::min_element(times.begin(), times.end());
-    row.cpu_max = *std::max_element(times.begin(), times.end());
+    const double until = measurer.compared.until;
+    double total = 0, done = 0;
+    for (const study::RowPlan& plan : plans) total += weight(plan.method, until);
+    Patience& patience = measurer.patience;
+    patience.begin("methods", total, "steps");
+    for (const study::RowPlan& plan : plans) {
+        // Asked here too: a run may be too short to ask itself.
+        patience.name(study::label(plan.method));
+        if (result.interrupted || !patience.lasts(done)) return;
+        const double work = weight(plan.method, until), one_run = work / (1 + measurer.options.repeats);
+        std::optional<CompareRow> row =
+            measurer.measure(plan, [&](double time) { return patience.lasts(done + one_run * time / until); });
+        if (!row) return;
+        result.rows.push_back(std::move(*row));
+        done += work;
+    }
+}
+
+/// The largest step of each method that keeps within the tolerance; the rows found join the others.
+void search_steps(const study::RowMeasurer& measurer, const std::vector<study::RowPlan>& plans, Comparison& result)
+{
+    const std::vector<study::RowPlan> families = study::families_of(plans);
+    measurer.patience.begin("steps for the tolerance", static_cast<double>(families.size()), "methods");
+    for (const study::RowPlan& family : families) {
+        if (!measurer.patience.lasts(static_cast<double>(result.searches.size()))) return;
+        result.searches.push_back(study::find_step(measurer, family, result.tolerance, result.rows));
+    }
+    for (const StepSearch& search : result.searches)
+        if (search.row) result.rows.push_back(*search.row);
 }
 
 }  // namespace
@@ -99,39 +91,32 @@ double default_tolerance(const Scene& scene)
 Comparison compare_methods(const Scene& scene, const CompareOptions& options)
 {
     CAROM_EXPECT(options.until > 0 && options.repeats >= 1 && options.intervals >= 1);
-    const std::vector<Method> methods = methods_to_run(options);
+    const std::vector<study::RowPlan> plans = study::rows_to_run(scene, options);
     Comparison result;
     result.until = options.until;
     result.tolerance = options.tolerance.value_or(default_tolerance(scene));
-    result.sample_times = sample_grid(options.until, options.intervals);
 
     const double start = study::thread_cpu_seconds();
-    const Reference reference = make_reference(scene, options.until, result.sample_times, options.on_progress);
-    result.reference = summary(reference, study::thread_cpu_seconds() - start);
-    result.interrupted = reference.stopped;
+    const study::ComparedReference compared =
+        study::make_compared_reference(scene, options.until, options.intervals, options.on_progress);
+    result.reference = summary(compared, study::thread_cpu_seconds() - start);
+    result.compared_until = compared.until;
+    result.sample_times = compared.times.grid;
+    result.interrupted = compared.reference.stopped;
 
-    double total = 0, done = 0;
-    for (const Method& method : methods) total += weight(method, options.until);
+    const OnProgress stop = [](const Progress&) { return false; };
+    const double longest = study::longest_step(plans);
+    const double longest_tried = options.search_steps ? study::longest_searched_step(compared.until, longest) : longest;
+    study::Auditor auditor(scene, options.until, longest_tried, result.interrupted ? stop : options.on_progress);
+    result.audit = auditor.summary();
+    result.interrupted = result.interrupted || auditor.stopped();
+
     Patience patience(options.on_progress);
-    patience.begin("methods", total, "steps");
-    for (const Method& method : methods) {
-        // Asked here too: a run may be too short to ask itself.
-        patience.name(label(method));
-        if (result.interrupted || !patience.lasts(done)) break;
-        const double work = weight(method, options.until);
-        study::RowTask task{scene, reference, method, {}, result.sample_times, {}};
-        task.run.until = options.until;
-        const double one_run = work / (1 + options.repeats);
-        task.on_progress = [&](double time) { return patience.lasts(done + one_run * time / options.until); };
-        study::RecordedRow recorded = study::record_row(task);
-        if (recorded.interrupted) break;
-        done += one_run;
-        task.on_progress = [&](double) { return patience.lasts(); };
-        time_row(task, options, recorded);
-        result.rows.push_back(std::move(recorded.row));
-        done += work - one_run;
-    }
+    const study::RowMeasurer measurer{scene, options, compared, auditor, patience};
+    measure_rows(measurer, plans, result);
+    if (options.search_steps && !result.interrupted) search_steps(measurer, plans, result);
     result.interrupted = result.interrupted || patience.ended();
+    result.convergence = study::fit_orders(scene, result);
     result.verdict = verdict(scene, result);
     return result;
 }

@@ -3,6 +3,8 @@
 /// headings on the terminal and docs/compare.md are made.
 #pragma once
 
+#include "core/names.hpp"
+
 #include <carom/study.hpp>
 
 #include <array>
@@ -28,6 +30,18 @@ inline CompareCell as_cell(Status status)
 {
     return name(status);
 }
+inline CompareCell as_cell(std::optional<ContactOrder> order)
+{
+    return order ? std::string(name(*order)) : std::string();
+}
+inline CompareCell as_cell(std::optional<Integrator> integrator)
+{
+    return integrator ? std::string(name(*integrator)) : std::string();
+}
+inline CompareCell as_cell(std::optional<ImpactOperator> impact)
+{
+    return impact ? std::string(name_of(*impact, impact_operator_names)) : std::string();
+}
 inline CompareCell as_cell(std::optional<double> value)
 {
     return value;
@@ -40,6 +54,10 @@ inline CompareCell as_cell(std::int64_t value)
 {
     return std::optional(value);
 }
+inline CompareCell as_cell(std::optional<std::int64_t> value)
+{
+    return value;
+}
 inline CompareCell as_cell(std::optional<int> value)
 {
     return value ? std::optional<std::int64_t>(*value) : std::nullopt;
@@ -51,6 +69,13 @@ CompareCell cell_of(const CompareRow& row)
     return as_cell(row.*Member);
 }
 
+/// A count of the audit; empty where a row has none.
+template <auto Member>
+CompareCell audit_cell(const CompareRow& row)
+{
+    return row.audit ? std::optional((*row.audit).*Member) : std::nullopt;
+}
+
 struct CompareColumn {
     std::string_view name;     ///< key in files
     std::string_view heading;  ///< on the terminal; empty: not shown there
@@ -60,17 +85,26 @@ struct CompareColumn {
 };
 
 /// In the order of compare.csv. Names are stable: files and pages of others read them.
-inline constexpr std::array<CompareColumn, 24> compare_columns{{
+inline constexpr std::array<CompareColumn, 36> compare_columns{{
     {"method", "method", ColumnUnit::none, "How the scene was simulated. \"event\" is exact in time and takes no step.",
      cell_of<&CompareRow::method>},
     {"dt", "dt", ColumnUnit::time, "Length of a time step; none for the event-driven method.",
      cell_of<&CompareRow::dt>},
     {"substeps", "substeps", ColumnUnit::none, "Equal parts into which each step is cut.",
      cell_of<&CompareRow::substeps>},
-    {"passes", "passes", ColumnUnit::none, "How often the contacts are visited in a substep.",
+    {"passes", "passes", ColumnUnit::none,
+     "How often the contacts are visited in a substep; none where a method reads no passes.",
      cell_of<&CompareRow::passes>},
+    {"order", "order", ColumnUnit::none, "Order in which contacts are visited; none where a method reads no order.",
+     cell_of<&CompareRow::order>},
+    {"integrator", "integrator", ColumnUnit::none,
+     "Motion between contacts: \"euler\" moves by the speed after gravity, \"parabola\" is exact in flight.",
+     cell_of<&CompareRow::integrator>},
+    {"impact", "impact", ColumnUnit::none, "Operator of the event method for several contacts at once.",
+     cell_of<&CompareRow::impact>},
     {"cpu_seconds", "CPU", ColumnUnit::seconds,
-     "Processor time of one run without recording: the median of the repeats.", cell_of<&CompareRow::cpu_seconds>},
+     "Processor time of one run up to the end of what is compared, giving its samples: the median of the repeats.",
+     cell_of<&CompareRow::cpu_seconds>},
     {"cpu_min", "", ColumnUnit::seconds, "The fastest repeat.", cell_of<&CompareRow::cpu_min>},
     {"cpu_max", "", ColumnUnit::seconds, "The slowest repeat.", cell_of<&CompareRow::cpu_max>},
     {"position_rms", "", ColumnUnit::length,
@@ -92,14 +126,43 @@ inline constexpr std::array<CompareColumn, 24> compare_columns{{
      "Deepest overlap seen; for discrete methods at the end of a substep, before correction, which a chart over time "
      "does not see.",
      cell_of<&CompareRow::max_penetration>},
-    {"missed_impacts", "missed", ColumnUnit::none,
+    {"overlap_left", "left", ColumnUnit::length, "Deepest overlap at a sample time, after the method's corrections.",
+     cell_of<&CompareRow::overlap_left>},
+    {"missed_impacts", "run missed", ColumnUnit::none,
      "Impacts of the reference that the method did not find within 3 steps: those that came early or late, and those "
      "that never came. Counted up to the divergence.",
      cell_of<&CompareRow::missed_impacts>},
-    {"invented_impacts", "invented", ColumnUnit::none,
+    {"invented_impacts", "run invented", ColumnUnit::none,
      "Impacts of the method that the reference does not have within 3 steps. Counted up to the divergence.",
      cell_of<&CompareRow::invented_impacts>},
     {"impacts", "", ColumnUnit::none, "Contacts that got an impulse.", cell_of<&CompareRow::impacts>},
+    {"audited", "audited", ColumnUnit::none,
+     "Impacts that the method was put to one at a time: begun anew from the exact state at a random phase of the step "
+     "before each, it takes two steps. Where there are few, each at several phases. For \"event\": impacts of the "
+     "reference that its run was held against.",
+     audit_cell<&Audit::audited>},
+    {"found", "found", ColumnUnit::none,
+     "Of those audited, answered in their step, and the velocity after two steps is right to 1 % of what the impact "
+     "changed. For \"event\": at the right time, to 1e-9 of the smallest radius at the speed of the scene.",
+     audit_cell<&Audit::found>},
+    {"late", "late", ColumnUnit::none,
+     "Of those audited, answered in the step after. For \"event\": early or late by more than that.",
+     audit_cell<&Audit::late>},
+    {"missed", "missed", ColumnUnit::none, "Of those audited, not answered within two steps.",
+     audit_cell<&Audit::missed>},
+    {"wrong", "wrong", ColumnUnit::none, "Of those audited, answered in their step, but with another velocity.",
+     audit_cell<&Audit::wrong>},
+    {"invented", "invented", ColumnUnit::none,
+     "Two steps of bodies that have no impact in them, in which the method answers one all the same; how many were "
+     "looked at says compare.json. For \"event\": impacts that the reference does not have.",
+     audit_cell<&Audit::invented>},
+    {"crowded", "crowded", ColumnUnit::none,
+     "Impacts not audited at this step: one of the bodies has another contact within the two steps.",
+     audit_cell<&Audit::crowded>},
+    {"absorbed", "absorbed", ColumnUnit::none,
+     "Impacts of the reference closing slower than v_c that the event method took for rest, neither found nor missed; "
+     "its errors say what that costs.",
+     cell_of<&CompareRow::absorbed_impacts>},
     {"rest_jitter", "jitter", ColumnUnit::speed, "Root mean square speed of bodies that rest in the reference.",
      cell_of<&CompareRow::rest_jitter>},
     {"divergence_time", "diverges", ColumnUnit::time,

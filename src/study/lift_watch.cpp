@@ -1,17 +1,9 @@
 #include "study/lift_watch.hpp"
 
 #include "scene/pair_gap.hpp"
+#include "study/flight_state.hpp"
 
 namespace carom::study {
-
-namespace {
-
-Vec3 vector_of(const std::array<double, 3>& v)
-{
-    return {v[0], v[1], v[2]};
-}
-
-}  // namespace
 
 LiftWatch::LiftWatch(const Scene& scene) : scene_(scene)
 {
@@ -43,13 +35,7 @@ Vec3 LiftWatch::place_at(const FlightRecord& flight, const EpochTime& time) cons
 {
     const double t = static_cast<double>(time.epoch - flight.start.epoch) * frame_.epoch_length +
                      (time.offset - flight.start.offset);
-    const Vec3 cell(static_cast<double>(flight.cell[0]), static_cast<double>(flight.cell[1]),
-                    static_cast<double>(flight.cell[2]));
-    const Vec3 acceleration = flight.acceleration == own_acceleration
-                                  ? vector_of(flight.own)
-                                  : frame_.accelerations[static_cast<std::size_t>(flight.acceleration)];
-    return cell * frame_.cell_size + vector_of(flight.local) +
-           t * (vector_of(flight.velocity) + (t / 2) * acceleration);
+    return place_of(frame_, flight) + t * (vector_of(flight.velocity) + (t / 2) * acceleration_of(frame_, flight));
 }
 
 double LiftWatch::gap_at_end(const Watched& watched, const EpochTime& end) const

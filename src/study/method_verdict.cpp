@@ -1,5 +1,7 @@
 #include "study/method_verdict.hpp"
 
+#include "study/row_family.hpp"
+#include "study/search_words.hpp"
 #include "study/tolerances.hpp"
 #include "study/words.hpp"
 
@@ -49,12 +51,7 @@ std::string enough_text(const VerdictWords& words, const StepBracket& found, std
         text = "of the steps tried, dt = " + VerdictWords::setting(row) +
                " is the largest from which all smaller ones keep" + within;
     text += "; it costs " + words.cost(row);
-    if (row.mistimed_impacts > 0)
-        text +=
-            ", and " + VerdictWords::share(row.mistimed_impacts, row) + " come late (more than 3 steps early or late)";
-    // A late impact is one that the reference does not have there: it is counted as invented, too.
-    if (row.invented_impacts > row.mistimed_impacts)
-        text += ", and it invents " + std::to_string(row.invented_impacts - row.mistimed_impacts);
+    text += audit_clause(row);
     if (found.too_far == nullptr) return text;
     text += "; the next larger, " + VerdictWords::setting(*found.too_far) + ", " + words.fault(*found.too_far);
     if (*found.too_far->dt > fine_bracket * *row.dt)
@@ -67,8 +64,8 @@ const CompareRow* failing_below(const CompareRow& row, const Rows& rows, double 
 {
     const CompareRow* fails = nullptr;
     for (const CompareRow* each : rows)
-        if (*each->dt < *row.dt && each->substeps == row.substeps && each->passes == row.passes &&
-            !holds(*each, tolerance) && (fails == nullptr || *each->dt > *fails->dt))
+        if (*each->dt < *row.dt && family_of(*each) == family_of(row) && !holds(*each, tolerance) &&
+            (fails == nullptr || *each->dt > *fails->dt))
             fails = each;
     return fails;
 }
@@ -77,9 +74,8 @@ const CompareRow* failing_below(const CompareRow& row, const Rows& rows, double 
 
 StepBracket step_bracket(const Comparison& comparison, const std::string& method)
 {
-    std::map<std::pair<int, int>, Rows> families;
-    for (const CompareRow* row : rows_of(comparison, method))
-        families[{row->substeps.value_or(1), row->passes.value_or(1)}].push_back(row);
+    std::map<Family, Rows> families;
+    for (const CompareRow* row : rows_of(comparison, method)) families[family_of(*row)].push_back(row);
     StepBracket best;
     for (auto& family : families) {
         Rows& rows = family.second;

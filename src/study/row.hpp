@@ -1,9 +1,10 @@
 /// \file
-/// One row of a comparison: a recorded run against the reference, then the time it takes unrecorded.
+/// One row of a comparison: a recorded run against the reference.
 #pragma once
 
 #include "reference/reference.hpp"
-#include "study/tolerances.hpp"
+#include "study/audit_truth.hpp"
+#include "study/sample_times.hpp"
 
 #include <carom/study.hpp>
 
@@ -16,28 +17,17 @@ struct RowTask {
     const Reference& reference;
     Method method;
     RunOptions run;
-    std::vector<double> sample_times;         ///< the reference's are the first of them [time]
-    std::function<bool(double)> on_progress;  ///< of the recorded run, and of those for the time
+    const SampleTimes& times;                 ///< the reference's samples are the first of its moments
+    const Truth& truth;                       ///< an event-driven run
+    std::function<bool(double)> on_progress;  ///< of the recorded run
 };
 
 struct RecordedRow {
-    CompareRow row;  ///< everything but the times; empty if interrupted
+    CompareRow row;  ///< errors and counts; empty if interrupted
     double cpu_seconds = 0;
     bool interrupted = false;
 };
 RecordedRow record_row(const RowTask& task);
-
-struct TimingOptions {
-    int repeats = timing_repeats;
-    double budget = timing_budget;  ///< for all repeats together [s]
-};
-
-/// CPU times of unrecorded runs; empty if one alone would take longer than the budget. Short runs are repeated back to
-/// back within one timing until they fill what the clock resolves. If interrupted: those finished before.
-std::vector<double> time_runs(const RowTask& task, double first_seconds, const TimingOptions& options);
-
-/// Median; of an even number the mean of the middle two. \pre not empty
-double median(std::vector<double> values);
 
 /// Distance from the reference beyond which a run has diverged, 0.01 r_min [length].
 double divergence_threshold(const Scene& scene);

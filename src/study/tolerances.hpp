@@ -19,6 +19,12 @@ inline constexpr double default_tolerance_part = 0.01;
 /// Distance [smallest radius] from the reference beyond which a run has diverged: an impact turns it into an angle of a
 /// hundredth, and two or three impacts into other contacts.
 inline constexpr double divergence = 0.01;
+/// Distance [interval between samples] of a sample from an impact at which it falls on it: far above the rounding of
+/// times, far below what a sample could otherwise show.
+inline constexpr double on_impact = 1e-9;
+/// Flight [interval between samples] of a bounce below which its impacts are not kept from samples: it changes nothing
+/// that a figure shows.
+inline constexpr double shortest_sampled_flight = 1e-6;
 /// Times of one impact [steps] in two runs differ by at most this: methods with a step see it at the end of one.
 inline constexpr double match_steps = 3;
 /// The same without a step [time of the run], at least: far below the time between impacts, far above rounding.
@@ -33,6 +39,58 @@ inline constexpr double lasting_contact = 1e-6;
 /// or twice.
 inline constexpr std::size_t mismatches_between_sorts = 2000;
 
+// The one-step audit.
+
+/// Length [steps] of what a method is asked about: the step with the impact, and one more for methods that answer at
+/// the beginning of the next.
+inline constexpr int audited_steps = 2;
+/// Length [steps] of the run of a case: some methods give the answer of the second step at the beginning of the third.
+inline constexpr int longest_case = 3;
+/// Distance [|dv| of the impact] from the true velocity within which a velocity is right: what nobody sees.
+inline constexpr double right_velocity = 0.01;
+/// Impacts [1] that are asked about at most, drawn at random: the 95 % interval of a share is then within 2.2 %.
+inline constexpr std::size_t most_audited = 2000;
+/// Quantile [standard deviations] of the normal distribution that leaves 2.5 % on each side: intervals of 95 %.
+inline constexpr double two_sided_95 = 1.959963984540054;
+/// Chance [1] that may lie beyond one end of an interval of 95 %.
+inline constexpr double one_sided_95 = 0.025;
+/// Questions [1] about the impacts of a scene at least, if it has any: each is asked about at several phases where
+/// there are fewer, so that a share is known to 3 %.
+inline constexpr std::size_t least_asked = 1000;
+/// Steps without an impact [1] that are drawn for invented ones; not counted are those that turn out to have one.
+inline constexpr std::size_t quiet_draws = 2000;
+/// Flights [1] of the truth in memory at most: some 100 bytes each.
+inline constexpr std::size_t most_truth_flights = 1'000'000;
+/// Speed [largest speed of two that meet] that one of them may have after an elastic impact: its own and twice their
+/// difference, which is at most twice that largest.
+inline constexpr double elastic_gain = 5;
+/// Neighbours of neighbours [links]: who may meet the bodies of a case, and who may meet those.
+inline constexpr int neighbour_hops = 2;
+
+// Steps that are enough.
+
+/// Steps [1] through which an order is fitted at least: of two no scatter can be told.
+inline constexpr std::size_t steps_of_a_fit = 3;
+/// Order [1] below which errors no longer fall: ten times the steps leave two thirds of the error.
+inline constexpr double stalled_order = 0.2;
+/// Factor [1] from step to step while the search looks for one that is enough, or for one that is not.
+inline constexpr double search_stride = 4;
+/// Factor [1] between a step that is enough and one that is not at which the search ends: within 20 % with room for
+/// how errors scatter from step to step.
+inline constexpr double search_bracket = 1.05;
+/// Part [step found] that is tried to see whether smaller steps hold too: errors scatter by phases of impacts.
+inline constexpr double probe_below = 0.8;
+/// Part [step found] that is tried besides: scatter that spoils both is no luck.
+inline constexpr double probe_further_below = 0.6;
+/// Runs [1] for one method at most.
+inline constexpr int most_probes = 40;
+/// Time [s] for the runs of one method: a step that takes longer is no answer to a question about cost.
+inline constexpr double search_budget = 10;
+/// Step [longest step asked for] up to which larger ones are tried.
+inline constexpr double largest_searched = 16;
+/// Steps [1] of a run at least: with fewer, steps are no steps.
+inline constexpr double fewest_searched_steps = 8;
+
 // Clocks.
 
 /// Time [s] of a tick of the clock's second number.
@@ -43,6 +101,13 @@ inline constexpr double resolved_by_clock = 2e-3;
 inline constexpr double most_runs_in_a_row = 1000;
 /// Repeats [runs] of a timing by default: the median of three leaves one disturbance out.
 inline constexpr int timing_repeats = 3;
+/// Spread [median] of the median of repeats, its interval of 95 %, at which timing ends: a ratio is then known to a
+/// tenth.
+inline constexpr double timing_spread = 0.05;
+/// Repeats [runs] of a timing at most: the median's interval no longer shrinks much.
+inline constexpr int most_timings = 30;
+/// Repeats [runs] from which on the least and the greatest are not the ends of the interval of 95 %: 2^(1-6) is 3 %.
+inline constexpr std::size_t fewest_for_interval = 6;
 /// Time [s] for all repeats together: nobody waits longer for a row.
 inline constexpr double timing_budget = 5;
 /// Work of the event method [steps], a guess for the progress line only.
@@ -57,6 +122,9 @@ inline constexpr std::size_t most_spheres_looked_at = 25'000;
 inline constexpr std::size_t fewest_looks = 2;
 
 // Words.
+
+/// Per cent [1] in a whole: that is what the word means.
+inline constexpr double per_cent = 100;
 
 /// Factor [1] between two steps up to which a linear range between them is advised, beyond it a logarithmic one.
 inline constexpr double linear_range_factor = 2;

@@ -1,10 +1,13 @@
+#include "study/cost_ratio.hpp"
 #include "study/method_verdict.hpp"
+#include "study/search_words.hpp"
 #include "study/verdict_words.hpp"
 #include "study/words.hpp"
 
 #include <carom/study.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace carom {
@@ -43,24 +46,69 @@ std::string stopped_sentence(const VerdictWords& words, const CompareRow& event)
     return text + ".";
 }
 
+/// "Use event", or the same up to where the reference ends: nothing is claimed beyond.
+std::string within_scope(const VerdictWords& words, std::string text)
+{
+    const Comparison& comparison = words.comparison();
+    if (!(comparison.reference.until < comparison.until)) return text;
+    text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+    return "Up to t = " + words.time(comparison.reference.until) + " of " + words.time(comparison.until) +
+           ", where the reference ends, " + text;
+}
+
+/// The cheapest stepper within the tolerance, if it costs less than the event run with all of its interval.
+const CompareRow* rival(const Comparison& comparison)
+{
+    const CompareRow* cheapest = cheapest_stepper(comparison);
+    if (cheapest == nullptr) return nullptr;
+    const std::optional<Ratio> ratio = cost_ratio(comparison, *cheapest);
+    return ratio && ratio->high < 1 ? cheapest : nullptr;
+}
+
 std::string event_sentence(const VerdictWords& words, const CompareRow& event)
 {
     const Comparison& comparison = words.comparison();
     const std::optional<double> error = verdict_error(event);
-    const std::string cost = seconds_text(event.cpu_seconds) + " of CPU";
     if (event.status != Status::reached_end) return stopped_sentence(words, event);
-    if (!error) return "event reached the end in " + cost + ", but there is no reference to measure it by.";
-    std::string text = "event is off by at most " + words.length(*error) + words.while_known();
+    if (!error)
+        return "event reached the end in " + seconds_text(event.cpu_seconds) +
+               " of CPU, but there is no reference to measure it by.";
+    std::string text = "is off by at most " + words.length(*error);
     if (*error <= comparison.reference.bound)
         text += " (within what the reference knows, " + words.length(comparison.reference.bound) + ")";
-    text += " and takes " + cost;
-    if (event.missed_impacts > 0) text += ", but it misses " + VerdictWords::share(event.missed_impacts, event);
+    text += " and takes " + seconds_text(event.cpu_seconds) + " of CPU";
+    const std::int64_t lost = lost_impacts(event);
+    if (lost > 0) text += ", but it misses " + VerdictWords::share(lost, event);
     if (*error > comparison.tolerance)
-        text = "The event method is not within " + words.length(comparison.tolerance) + ": " + text;
-    else if (event.missed_impacts == 0)
-        text = "The event method is right: " + text;
+        text = within_scope(words,
+                            "The event method is not within " + words.length(comparison.tolerance) + ": it " + text);
+    else if (const CompareRow* wins = rival(comparison); wins != nullptr)
+        return within_scope(words, "A stepper wins: " + wins->method + " at dt = " + VerdictWords::setting(*wins) +
+                                       " keeps within " + words.length(comparison.tolerance) + " and costs " +
+                                       words.cost(*wins) + "; event " + text + ".");
+    else
+        text = within_scope(words, lost > 0 ? "The event method " + text : "Use event: it " + text);
     if (const CompareRow* best = best_stepper(comparison)) text += "; " + steppers_in_short(words, *best, *error);
     return text + ".";
+}
+
+/// What the event method itself missed, met late or took for rest, as for anybody; empty if nothing.
+std::string own_faults_sentence(const VerdictWords& words)
+{
+    if (words.event() == nullptr || !words.event()->audit) return "";
+    const CompareRow& event = *words.event();
+    const Audit& audit = *event.audit;
+    std::string text;
+    const auto add = [&](std::int64_t count, const std::string& what) {
+        if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+    };
+    add(audit.missed, "missed");
+    add(audit.late, "early or late by more than touching is");
+    add(audit.invented, "invented");
+    add(event.absorbed_impacts.value_or(0), "closing slower than v_c taken for rest");
+    if (text.empty()) return "";
+    return "event itself, of " + std::to_string(audit.audited + event.absorbed_impacts.value_or(0)) +
+           " impacts of the reference" + words.while_known() + ": " + text + "; its error has that in it.";
 }
 
 std::string first_sentence(const VerdictWords& words)
@@ -102,6 +150,11 @@ std::vector<std::string> verdict_without_reference(const Scene& scene, const Ver
                 two_digits(rest_thresholds(scene).numeric_step / 2) + ", half of what it is."};
 }
 
+void add_if_any(std::vector<std::string>& sentences, const std::string& sentence)
+{
+    if (!sentence.empty()) sentences.push_back(sentence);
+}
+
 std::string chaos_sentence(const VerdictWords& words)
 {
     return "event itself leaves the reference by more than a hundredth of the smallest radius at t = " +
@@ -118,9 +171,13 @@ std::vector<std::string> verdict(const Scene& scene, const Comparison& compariso
     std::vector<std::string> result{first_sentence(words)};
     if (comparison.reference.until < comparison.until) result.push_back(reference_sentence(words));
     if (words.event() != nullptr && words.event()->divergence_time) result.push_back(chaos_sentence(words));
+    add_if_any(result, own_faults_sentence(words));
     std::set<std::string> seen;
     for (const CompareRow& row : comparison.rows)
-        if (row.dt && seen.insert(row.method).second) result.push_back(method_sentence(words, row.method));
+        if (row.dt && comparison.searches.empty() && seen.insert(row.method).second)
+            result.push_back(method_sentence(words, row.method));
+    for (const StepSearch& search : comparison.searches) result.push_back(search_sentence(words, search));
+    add_if_any(result, convergence_sentence(words));
     if (comparison.interrupted) result.push_back("The comparison was interrupted: the rows are those finished before.");
     return result;
 }

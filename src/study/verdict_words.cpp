@@ -1,5 +1,6 @@
 #include "study/verdict_words.hpp"
 
+#include "study/cost_ratio.hpp"
 #include "study/words.hpp"
 
 #include <cmath>
@@ -51,17 +52,13 @@ std::string VerdictWords::while_known() const
 
 std::string VerdictWords::cost(const CompareRow& row) const
 {
-    if (event_ == nullptr || event_->status != Status::reached_end || !(event_->cpu_seconds > 0))
-        return seconds_text(row.cpu_seconds) + " of CPU";
-    return two_digits(row.cpu_seconds / event_->cpu_seconds) + " times the event run";
+    const std::optional<Ratio> ratio = cost_ratio(comparison_, row);
+    return ratio ? ratio_text(*ratio) + " times the event run" : seconds_text(row.cpu_seconds) + " of CPU";
 }
 
 std::string VerdictWords::setting(const CompareRow& row)
 {
-    std::string text = step_text(*row.dt);
-    if (row.substeps.value_or(1) > 1) text += " in " + std::to_string(*row.substeps) + " substeps";
-    if (row.passes.value_or(1) > 1) text += " with " + std::to_string(*row.passes) + " passes";
-    return text;
+    return step_text(*row.dt) + variant_text(row);
 }
 
 std::string VerdictWords::share(std::int64_t part, const CompareRow& row)

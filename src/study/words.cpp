@@ -77,6 +77,18 @@ std::string step_text(double dt)
     return power.size() < plain.size() ? power : plain;
 }
 
+std::string variant_text(const CompareRow& row)
+{
+    std::string text;
+    if (row.substeps.value_or(1) > 1) text += " in " + std::to_string(*row.substeps) + " substeps";
+    if (row.passes.value_or(1) > 1) text += " with " + std::to_string(*row.passes) + " passes";
+    if (row.order.value_or(ContactOrder::index) != ContactOrder::index)
+        text += ", order " + std::string(name(*row.order));
+    if (row.integrator.value_or(Integrator::euler) != Integrator::euler)
+        text += ", " + std::string(name(*row.integrator));
+    return text;
+}
+
 std::string length_text(double value, const std::string& unit)
 {
     if (!std::isfinite(value)) return three_digits(value);

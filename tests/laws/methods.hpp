@@ -39,6 +39,7 @@ inline std::vector<Claims> methods()
         {"pbd", PositionBased{steps}, true},
         {"velocity", VelocityBased{steps}},
         {"bisection", Bisection{steps}, true, false, true, true},
+        {"toi", ImpactSubsteps{steps}, true, false, true, true},
         {"naive", Naive{steps}, true},
         {"moreau", Moreau{steps}, true},
     };

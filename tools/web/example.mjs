@@ -153,11 +153,13 @@ function compare(scene) {
     const divergence = worst.findIndex((d) => d > 0.01 * Math.min(...scene.spheres.map((s) => s.radius)));
     rows.push({
       method: row.method, dt: row.dt, substeps: row.dt === null ? null : 1, passes: row.dt === null ? null : 1, label: row.label,
+      order: null, integrator: null, impact: null,
       cpu_seconds: row.cpu, cpu_min: row.cpu * 0.94, cpu_max: row.cpu * 1.13,
       position_rms: root(mean(distance.flat().map((d) => d * d))), position_max: Math.max(...worst),
       position_final_rms: root(mean(distance.at(-1).map((d) => d * d))), position_final_max: worst.at(-1),
-      velocity_rms: root(mean(swift.flat().map((d) => d * d))), energy_error: Math.max(...drift.map(Math.abs)), max_penetration: Math.max(...depths),
-      missed_impacts: lost.length, invented_impacts: row.invented, impacts: row.impacts, rest_jitter: row.jitter ?? null,
+      velocity_rms: root(mean(swift.flat().map((d) => d * d))), energy_error: Math.max(...drift.map(Math.abs)), max_penetration: Math.max(...depths), overlap_left: 0,
+      missed_impacts: lost.length, invented_impacts: row.invented, impacts: row.impacts,
+      audited: null, found: null, late: null, missed: null, wrong: null, invented: null, crowded: null, absorbed: null, rest_jitter: row.jitter ?? null,
       divergence_time: divergence < 0 ? null : times[divergence], reference_bound: scene.bound, steps: row.steps, root_solves: row.roots, pair_tests: row.pairs, status: "reached_end",
       mistimed_impacts: Math.min(lost.length, row.invented), reference_impacts: total, time: scene.until,
     });

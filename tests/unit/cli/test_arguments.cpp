@@ -198,28 +198,40 @@ TEST_CASE("the command line goes before the scene, the scene before what is buil
     const Scene scene = scene_with({{"methods", std::vector<std::string>{"event", "velocity"}},
                                     {"dt", std::vector<std::string>{"1/60", "0.001"}},
                                     {"repeats", 5.0},
+                                    {"integrator", std::string("parabola")},
                                     {"literal", true}});
     const CompareOptions from_scene = compare_settings({}, {}, scene, "ball.json").compare;
     CHECK(from_scene.methods == std::vector<std::string>{"event", "velocity"});
     CHECK(from_scene.dt == std::vector<double>{1.0 / 60, 0.001});
     CHECK(from_scene.repeats == 5);
     CHECK(from_scene.step.literal);
+    CHECK(from_scene.integrators == std::vector<Integrator>{Integrator::parabola});
+    CHECK_FALSE(from_scene.search_steps);
     CHECK(from_scene.until == 5);
     CHECK_FALSE(from_scene.tolerance);
 
     CompareArguments args;
-    args.given = {{"methods", "pbd"}, {"dt", "1/10"}, {"until", "2"}, {"tolerance", "1e-4"}, {"substeps", "1,4"}};
+    args.given = {{"methods", "pbd"},          {"dt", "1/10"},      {"until", "2"},
+                  {"tolerance", "1e-4"},       {"substeps", "1,4"}, {"order", "index,jacobi"},
+                  {"impact", "lcp,sequential"}};
     const CompareOptions typed = compare_settings(args, {}, scene, "ball.json").compare;
     CHECK(typed.methods == std::vector<std::string>{"pbd"});
     CHECK(typed.dt == std::vector<double>{0.1});
     CHECK(typed.until == 2);
     CHECK(typed.tolerance == std::optional<double>(1e-4));
+    CHECK(typed.search_steps);
     CHECK(typed.substeps == std::vector<int>{1, 4});
+    CHECK(typed.orders == std::vector<ContactOrder>{ContactOrder::index, ContactOrder::jacobi});
+    REQUIRE(typed.impacts);
+    CHECK(*typed.impacts == std::vector<ImpactOperator>{ImpactOperator::lcp, ImpactOperator::sequential});
+    args.given["impact"] = "lcp,nothing";
+    CHECK_THROWS_WITH(compare_settings(args, {}, scene, "ball.json"), Contains("unknown operator \"nothing\""));
 
     const CompareOptions built_in = compare_settings({}, {}, scene_with({}), "ball.json").compare;
     CHECK(built_in.methods == method_names());
     CHECK(built_in.dt == std::vector<double>{1.0 / 60, 1.0 / 240, 1.0 / 1000});
     CHECK(built_in.repeats == 3);
+    CHECK(built_in.integrators == std::vector<Integrator>{Integrator::euler, Integrator::parabola});
 }
 
 TEST_CASE("a run's responses are the scene's unless its run section or the command line says otherwise", "[choices]")
@@ -279,8 +291,8 @@ TEST_CASE("responses are told in words with every default filled in", "[choices]
 TEST_CASE("a run's method takes its step from the options", "[choices]")
 {
     RunArguments args;
-    args.given = {
-        {"method", "velocity"}, {"dt", "1/100"}, {"substeps", "3"}, {"order", "deepest"}, {"max_events", "1e3"}};
+    args.given = {{"method", "velocity"},     {"dt", "1/100"},      {"substeps", "3"}, {"order", "deepest"},
+                  {"integrator", "parabola"}, {"max_events", "1e3"}};
     GlobalArguments global;
     global.seed = 9;
     const RunSettings settings = run_settings(args, global, scene_with({}), "ball.json");
@@ -289,6 +301,7 @@ TEST_CASE("a run's method takes its step from the options", "[choices]")
     CHECK(step_options(settings.method)->dt == 0.01);
     CHECK(step_options(settings.method)->substeps == 3);
     CHECK(step_options(settings.method)->order == ContactOrder::deepest);
+    CHECK(step_options(settings.method)->integrator == Integrator::parabola);
     CHECK(step_options(settings.method)->seed == 9);
     CHECK(settings.run.max_events == 1000);
     CHECK(settings.run.until == 5);
@@ -323,6 +336,16 @@ TEST_CASE("a wrong value is a usage error if typed and a scene error if written 
     CHECK_THROWS_WITH(
         compare_settings({}, {}, scene_with({{"dt", std::vector<std::string>{"1/60", "0"}}}), "ball.json"),
         Contains("/compare/dt: 0 in \"1/60,0\" must be > 0"));
+}
+
+TEST_CASE("an integrator that does not exist is refused with those that do", "[choices]")
+{
+    RunArguments args;
+    args.given = {{"integrator", "rk4"}};
+    CHECK_THROWS_WITH(run_settings(args, {}, scene_with({}), "ball.json"),
+                      Contains("--integrator: ") && Contains("euler, parabola"));
+    CHECK_THROWS_WITH(run_settings({}, {}, scene_with({{"integrator", std::string("rk4")}}), "ball.json"),
+                      Contains("/run/integrator: "));
 }
 
 TEST_CASE("options without an effect are noted", "[notes]")

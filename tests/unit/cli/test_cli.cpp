@@ -255,15 +255,19 @@ TEST_CASE("compare writes its files, a table with a verdict, and a page that rep
     const Folder folder;
     const Said table = carom_tool({"compare", folder / "ball.json", "--repeats", "1", "-o", folder / "a"});
     CHECK(table.code == exit_ok);
-    CHECK_THAT(table.out, Contains("method") && Contains("1/60") && Contains("The event method is right") &&
+    CHECK_THAT(table.out, Contains("method") && Contains("1/60") && Contains("Use event: it is off by at most") &&
                               Contains("report.html"));
     CHECK_THAT(table.out, Contains("Tolerance: position error 1 mm (0.01 of the smallest radius") &&
-                              Contains("within 1 mm") && Contains("late: impacts that come more than 3 steps"));
+                              Contains("within 1 mm") &&
+                              Contains("found, late, missed, wrong: of the impacts audited"));
     std::istringstream csv(folder.read("a/compare.csv"));
     std::string line;
     std::getline(csv, line);
     CHECK(line == carom::io::compare_csv_header());
-    CHECK(json::parse(folder.read("a/compare.json"))["rows"].size() == 2);
+    const json rows = json::parse(folder.read("a/compare.json"))["rows"];
+    REQUIRE(rows.size() == 3);
+    CHECK(rows[1]["integrator"] == "euler");
+    CHECK(rows[2]["integrator"] == "parabola");
     CHECK_THAT(folder.read("a/report.html"), Contains("<html") && Contains("carom-page/1"));
 
     const Said data = carom_tool(

@@ -205,19 +205,24 @@ TEST_CASE("compare.csv has exactly the contract's header and empty fields for wh
     blown.dt = 0.1;
     blown.substeps = 2;
     blown.passes = 1;
+    blown.order = ContactOrder::deepest;
+    blown.integrator = Integrator::parabola;
     blown.position_max = nan_value;
     blown.max_penetration = std::numeric_limits<double>::infinity();
     blown.missed_impacts = 7;
+    blown.audit = Audit{10, 4, 3, 2, 1, 6, 100, 5, 0.5};
     blown.status = Status::unresolved;
     comparison.rows = {event, blown};
     CHECK(io::compare_csv(comparison) ==
-          "method,dt,substeps,passes,cpu_seconds,cpu_min,cpu_max,position_rms,position_max,position_final_rms,position_"
+          "method,dt,substeps,passes,order,integrator,impact,cpu_seconds,cpu_min,cpu_max,position_rms,position_max,"
+          "position_final_rms,position_"
           "final_max,velocity_"
-          "rms,energy_error,max_penetration,missed_impacts,invented_impacts,impacts,rest_jitter,divergence_time,"
-          "reference_bound,steps,"
-          "root_solves,pair_tests,status\n"
-          "event,,,,1e-05,1e-05,1e-05,,3e-15,,,,,0,0,0,0,,,0,0,0,0,reached_end\n"
-          "pbd,0.1,2,1,0,0,0,,,,,,,,7,0,0,,,0,0,0,0,unresolved\n");
+          "rms,energy_error,max_penetration,overlap_left,missed_impacts,invented_impacts,impacts,audited,found,late,"
+          "missed,"
+          "wrong,invented,crowded,absorbed,rest_jitter,divergence_time,reference_bound,steps,root_solves,pair_tests,"
+          "status\n"
+          "event,,,,,,,1e-05,1e-05,1e-05,,3e-15,,,,,0,0,0,0,0,,,,,,,,,,,0,0,0,0,reached_end\n"
+          "pbd,0.1,2,1,deepest,parabola,,0,0,0,,,,,,,,0,7,0,0,10,4,3,2,1,5,6,,,,0,0,0,0,unresolved\n");
 }
 
 TEST_CASE("compare.json has the CSV's keys in each row, the reference and the verdict", "[results]")
@@ -229,6 +234,7 @@ TEST_CASE("compare.json has the CSV's keys in each row, the reference and the ve
     row.method = "pbd";
     row.position_rms = nan_value;
     row.missed = {{0.5, 0, 2}};
+    row.audit = Audit{20, 20, 0, 0, 0, 6, 0, 0, 0.5};
     comparison.rows = {row};
     const json parsed = json::parse(io::compare_json(two_balls(), comparison));
     CHECK(has_all(parsed, {"format", "scene", "reference", "rows", "verdict", "command_seconds", "stopped"}));
@@ -242,5 +248,9 @@ TEST_CASE("compare.json has the CSV's keys in each row, the reference and the ve
     }
     CHECK(parsed["rows"][0]["position_rms"].is_null());
     CHECK(parsed["rows"][0]["dt"].is_null());
-    CHECK(parsed["rows"][0]["missed"][0] == json({{"time", 0.5}, {"a", "a"}, {"b", "floor"}}));
+    CHECK(parsed["rows"][0]["missed_at"][0] == json({{"time", 0.5}, {"a", "a"}, {"b", "floor"}}));
+    CHECK(parsed["rows"][0]["found"] == 20);
+    CHECK(parsed["rows"][0]["audit"]["found"][1] == Approx(1 - 0.1611).margin(5e-5));  // Wilson's interval for 0 of 20
+    CHECK(parsed["rows"][0]["audit"]["invented"].is_null());                           // of none
+    CHECK(has_all(parsed["audit"], {"until", "contacts", "drawn", "phases", "slow", "persistent"}));
 }

@@ -96,7 +96,7 @@ TEST_CASE("page data have what the page asks for", "[page_data]")
     CHECK(comparison["rows"][0]["mistimed_impacts"] == 1);
     CHECK(comparison["rows"][0]["reference_impacts"] == 3);
     CHECK(comparison["rows"][0]["time"] == 1.5);
-    CHECK(comparison["rows"][0]["label"] == "pbd, dt = 1/240, 4 substeps");
+    CHECK(comparison["rows"][0]["label"] == "pbd, dt = 1/240 in 4 substeps");
     CHECK(comparison["rows"][0]["position_max"].is_null());
     CHECK(comparison["missed"][0] == json({{"row", 0}, {"times", {0.5}}, {"names", {"ball - floor"}}}));
     const json& series = comparison["series"][0];

@@ -25,15 +25,17 @@ std::vector<Event> events_of(const Scene& scene, const Method& method, double en
 TEST_CASE("A bracket is bisected to neighbouring doubles", "[stepping]")
 {
     std::int64_t evaluations = 0;
-    const double lo = stepping::bisect(
+    const stepping::Bracket root = stepping::bisect(
         0, 1, [](double t) { return t * t >= 0.5; }, evaluations);
-    CHECK(lo * lo < 0.5);
-    CHECK(std::nextafter(lo, 1) * std::nextafter(lo, 1) >= 0.5);
+    CHECK(root.before * root.before < 0.5);
+    CHECK(root.after * root.after >= 0.5);
+    CHECK(std::nextafter(root.before, 1) == root.after);
     CHECK(evaluations > 50);
     CHECK(evaluations <= 64);
-    const double tiny = stepping::bisect(
+    const stepping::Bracket tiny = stepping::bisect(
         0, 1, [](double t) { return t > 0; }, evaluations);
-    CHECK(tiny == 0);
+    CHECK(tiny.before == 0);
+    CHECK(tiny.after > 0);
 }
 
 TEST_CASE("Without gravity bisection has the time of contact to rounding, whatever dt is", "[stepping]")

@@ -258,3 +258,27 @@ TEST_CASE("of the missed impacts of many pairs the first two hundred in time are
     for (std::size_t i = 0; i < max_listed_mismatches; ++i)
         CHECK(result.missed_list[i].time == 1 + static_cast<double>(i));
 }
+
+TEST_CASE("an impact that the run took for rest is absorbed, not missed, and a slow one is not invented", "[matching]")
+{
+    ExpectedImpacts expected;
+    expected[{0, 1}].times = {1, 2, 3};
+    const MatchWindow window{0.1, 10};
+    const IsAbsorbed second = [](const Pair&, double time) { return time == 2; };
+    const std::vector<FoundImpact> found{{1, 0, 1}, {5, 0, 1, true}, {6, 0, 1, false}};
+    const MatchResult result = match_impacts(expected, found, {}, window, second);
+    CHECK(result.absorbed == 1);
+    CHECK(result.missed == 1);
+    CHECK(result.invented == 1);
+}
+
+TEST_CASE("impacts in time are matched before others, so that one more does not shift the rest", "[matching]")
+{
+    ExpectedImpacts expected;
+    expected[{0, 1}].times = {1, 1.01, 1.02, 1.03};
+    const std::vector<FoundImpact> found{{1.01, 0, 1}, {1.02, 0, 1}, {1.03, 0, 1}};
+    const MatchResult result = match_impacts(expected, found, {}, {0.1, 10, 1e-6});
+    CHECK(result.late == 0);
+    CHECK(result.missed == 1);
+    CHECK(result.missed_list.front().time == 1);
+}

@@ -1,4 +1,4 @@
-#include "study/row.hpp"
+#include "study/timing.hpp"
 #include "study/words.hpp"
 
 #include <carom/study.hpp>
@@ -67,7 +67,7 @@ TEST_CASE("the verdict names the largest step that is good enough, and its price
         comparison({event_row(3.1e-15, 1e-5), step_row("velocity", 1.0 / 60, 0.1, 1e-4),
                     step_row("velocity", 2e-4, 8e-4, 3.1e-3), step_row("velocity", 1e-4, 4e-4, 6.2e-3)});
     CHECK(sentence(c, 0) ==
-          "The event method is right: event is off by at most 3.1e-15 m and takes 10 us of CPU; the cheapest stepper "
+          "Use event: it is off by at most 3.1e-15 m and takes 10 us of CPU; the cheapest stepper "
           "within 1 mm, velocity at dt = 2e-4, costs 310 times the event run.");
     CHECK(sentence(c, 1) ==
           "velocity: of the steps tried, dt = 2e-4 is the largest from which all smaller ones keep within a position "
@@ -99,19 +99,74 @@ TEST_CASE("missed impacts are counted, and a small error does not excuse them", 
         "times the event run); it misses 1 of 1 impacts at dt = 1/60.");
 }
 
-TEST_CASE("impacts that come too early or late are not lost, but they are told", "[verdict]")
+TEST_CASE("impacts that come too early or late are not lost, and what the audit says is told with the price",
+          "[verdict]")
 {
     CompareRow late = step_row("pbd", 1e-4, 5e-4, 1e-5);
     late.reference_impacts = 35;
     late.missed_impacts = late.mistimed_impacts = 20;
     late.invented_impacts = 29;
+    late.audit = Audit{263, 182, 0, 0, 81, 12, 0, 0, 0.5};
     CHECK(sentence(comparison({event_row(0, 1e-5), late}), 1) ==
           "pbd: the only step tried, dt = 1e-4, keeps within a position error of 1 mm; it costs 1 times the event run, "
-          "and "
-          "20 of 35 impacts come late (more than 3 steps early or late), and it invents 9.");
+          "asked impact by impact it answers with a wrong velocity 30.8 % (25.5-36.6).");
     late.mistimed_impacts = 19;
     CHECK_THAT(sentence(comparison({event_row(0, 1e-5), late}), 1),
                Contains("without missing an impact") && Contains("misses 1 of 35"));
+}
+
+TEST_CASE("a stepper that is within the tolerance at less cost wins, if that is sure", "[verdict]")
+{
+    CompareRow event = event_row(1e-15, 1e-5), step = step_row("bisection", 0.01, 5e-4, 4e-6);
+    event.cpu_low = 9e-6;
+    event.cpu_high = 1.1e-5;
+    step.cpu_low = 3e-6;
+    step.cpu_high = 5e-6;
+    CHECK(
+        sentence(comparison({event, step}), 0) ==
+        "A stepper wins: bisection at dt = 0.01 keeps within 1 mm and costs 0.4 (0.27-0.56) times the event run; event "
+        "is off by at most 1e-15 m and takes 10 us of CPU.");
+    step.cpu_high = 1e-5;
+    CHECK_THAT(sentence(comparison({event, step}), 0), Catch::Matchers::StartsWith("Use event: it is off"));
+}
+
+TEST_CASE("the event method's own faults are told apart", "[verdict]")
+{
+    CompareRow event = event_row(1e-6, 1e-5);
+    event.audit = Audit{185, 170, 9, 6, 0, 0, 190, 2, std::nullopt};
+    event.absorbed_impacts = 6;
+    CHECK(sentence(comparison({event}), 1) ==
+          "event itself, of 191 impacts of the reference: 6 missed, 9 early or late by more than touching is, 2 "
+          "invented, "
+          "6 closing slower than v_c taken for rest; its error has that in it.");
+}
+
+TEST_CASE("what the search for a step found is told, and why it found none", "[verdict]")
+{
+    Comparison c = comparison({event_row(0, 1e-5), step_row("pbd", 1.0 / 60, 0.1, 1e-5)});
+    StepSearch found, stalls, dear;
+    found.end = StepSearch::End::found;
+    found.method = stalls.method = dear.method = "pbd";
+    found.row = step_row("pbd", 5e-4, 9.8e-4, 2e-4);
+    found.too_far = 5.2e-4;
+    found.too_far_error = 1.03e-3;
+    stalls.end = StepSearch::End::stalls;
+    stalls.variant = ", parabola";
+    dear.method = "moreau";
+    stalls.best_step = dear.best_step = 1e-5;
+    stalls.best_error = dear.best_error = 4.9e-3;
+    c.searches = {found, stalls, dear};
+    c.convergence = {{"pbd", "", 0.98, 0.051, 4, false, 1e-4}, {"pbd", ", parabola", 0.01, 0.02, 3, true, 4.9e-3}};
+    CHECK(
+        sentence(c, 1) ==
+        "pbd: dt = 5e-4 is the largest step from which all smaller ones tried keep within a position error of 1 mm; it "
+        "costs 20 times the event run; at 0.00052 it is off by 1.03 mm.");
+    CHECK_THAT(sentence(c, 2), Contains("pbd, parabola: no step keeps within") && Contains("error stalls") &&
+                                   Contains("4.9 mm at dt = 1e-5"));
+    CHECK_THAT(sentence(c, 3), Contains("moreau: no step that can be run in 10 s keeps within"));
+    CHECK(sentence(c, 4) ==
+          "Errors fall with the step: pbd as dt^0.98 +- 0.051. Errors stall, whatever the step: pbd, parabola at 4.9 "
+          "mm.");
 }
 
 TEST_CASE("being right at the end does not make up for being wrong before", "[verdict]")
@@ -152,7 +207,7 @@ TEST_CASE("the event method is judged like the others", "[verdict]")
     {
         CompareRow row = event_row(1e-9, 1e-5);
         row.missed_impacts = 1;
-        CHECK_THAT(sentence(comparison({row}), 0), !Contains("right") && Contains("misses 1 of 1"));
+        CHECK_THAT(sentence(comparison({row}), 0), !Contains("Use") && Contains("misses 1 of 1"));
     }
     SECTION("diverged")
     {
@@ -174,7 +229,8 @@ TEST_CASE("a reference that ends early says up to when figures hold", "[verdict]
     c.reference.until = 1.0468123;
     c.reference.reason = "three spheres meet";
     CHECK_THAT(sentence(c, 2), Catch::Matchers::StartsWith("pbd up to t = 1.0468 s: no step tried"));
-    CHECK_THAT(sentence(c, 0), Contains("up to t = 1.0468 s"));
+    CHECK_THAT(sentence(c, 0),
+               Catch::Matchers::StartsWith("Up to t = 1.0468 s of 5 s, where the reference ends, use event"));
     CHECK(sentence(c, 1) ==
           "The reference holds up to t = 1.0468 s of 5 s (three spheres meet): errors and impacts are counted up to "
           "there.");

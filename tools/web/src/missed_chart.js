@@ -18,7 +18,7 @@ export function missedRows(comparison) {
   const lists = new Map((comparison.missed ?? []).map((m) => [m.row, m]));
   return comparison.rows.map((row, index) => {
     const list = lists.get(index);
-    return { row, index, times: list?.times ?? [], names: list?.names ?? [], late: row.late ?? 0, lost: row.lost, count: row.lost === null ? null : row.lost + (row.late ?? 0) };
+    return { row, index, times: list?.times ?? [], names: list?.names ?? [], late: row.mistimed ?? 0, lost: row.lost, count: row.lost === null ? null : row.lost + (row.mistimed ?? 0) };
   });
 }
 
@@ -58,7 +58,7 @@ export function missedFigure(comparison) {
   const csv = {
     name: () => `${slug(comparison.title)}-missed-impacts`,
     table: () => [["row", "label", "missed", "late", "time", "contact"],
-      strips.flatMap((s) => (s.times.length ? s.times.map((t, i) => [s.index, rowLabel(s.row), s.lost, s.row.late, t, s.names[i]]) : [[s.index, rowLabel(s.row), s.lost, s.row.late, "", ""]]))],
+      strips.flatMap((s) => (s.times.length ? s.times.map((t, i) => [s.index, rowLabel(s.row), s.lost, s.row.mistimed, t, s.names[i]]) : [[s.index, rowLabel(s.row), s.lost, s.row.mistimed, "", ""]]))],
   };
   const cleanText = [clean.length ? `None missed, none late, ${end < comparison.until ? "up to the end of the reference" : "to the end"}: ${together(clean)}.` : "", ...judgedText(strips)].filter(Boolean).join(" ");
   if (total === 0) {

@@ -3,14 +3,14 @@
 import { formatStep, isNumber } from "./format.js";
 
 /**
- * Rows with their missed impacts in two parts, `late` (early or late) and `lost` (never there), both null where nothing was
+ * Rows with their missed impacts in two parts, `mistimed` (early or late) and `lost` (never there), both null where nothing was
  * counted: a run that parts from the reference before the first impact has none to miss.
  */
 export function withLateAndLost(rows) {
   return rows.map((row) => {
     const judged = isNumber(row.missed_impacts) && !(isNumber(row.divergence_time) && row.reference_impacts === 0);
     const late = row.mistimed_impacts ?? 0;
-    return { ...row, late: judged && row.mistimed_impacts !== undefined ? late : null, lost: judged ? row.missed_impacts - late : null };
+    return { ...row, mistimed: judged && row.mistimed_impacts !== undefined ? late : null, lost: judged ? row.missed_impacts - late : null };
   });
 }
 
@@ -37,15 +37,16 @@ export function stepLabel(row) {
 export function groupRows(rows) {
   const groups = new Map();
   rows.forEach((row, index) => {
-    const key = JSON.stringify([row.method, row.substeps ?? null, row.passes ?? null]);
-    if (!groups.has(key)) groups.set(key, { method: row.method, substeps: row.substeps, passes: row.passes, rows: [] });
+    const key = JSON.stringify([row.method, row.substeps ?? null, row.passes ?? null, row.order ?? null, row.integrator ?? null, row.impact ?? null]);
+    if (!groups.has(key)) groups.set(key, { method: row.method, substeps: row.substeps, passes: row.passes, order: row.order, integrator: row.integrator, impact: row.impact, rows: [] });
     groups.get(key).rows.push({ row, index });
   });
   const list = [...groups.values()];
   for (const group of list) {
     const family = list.filter((other) => other.method === group.method);
     const differs = (key) => new Set(family.map((g) => g[key] ?? null)).size > 1;
-    const extra = ["substeps", "passes"].filter(differs).map((key) => `${group[key] ?? "–"} ${key}`);
+    const extra = [...["substeps", "passes"].filter(differs).map((key) => `${group[key] ?? "–"} ${key}`),
+      ...["order", "integrator", "impact"].filter(differs).map((key) => group[key] ?? "–")];
     group.name = [group.method, ...extra].join(", ");
     group.variant = family.indexOf(group);
     group.rows.sort((a, b) => (b.row.dt ?? 0) - (a.row.dt ?? 0));

@@ -132,7 +132,7 @@ export function workFigure(comparison) {
           const span = work.seconds && row.cpu_max > row.cpu_min ? ` (${formatQuantity(row.cpu_min, "s")} to ${formatQuantity(row.cpu_max, "s")})` : "";
           return `<b>${escapeHtml(rowLabel(row))}</b><br>${escapeHtml(error.name)}: ${escapeHtml(value)}${below}<br>` +
             `${escapeHtml(work.name)}: ${escapeHtml(formatQuantity(row[work.key], unitOf(work), 4))}${span}` +
-            (isNumber(row.lost) ? `<br>impacts missed: ${row.lost}${row.late === null ? "" : `, late: ${row.late}`}` : "<br>impacts not counted");
+            (isNumber(row.lost) ? `<br>impacts missed: ${row.lost}${row.mistimed === null ? "" : `, late: ${row.mistimed}`}` : "<br>impacts not counted");
         },
       }),
       xAxis: axis(work.name + (work.seconds ? "" : " (count)"), { nameLocation: "middle", nameGap: 32, ...decades(x, (n) => formatDecade(n, work.seconds)) }),

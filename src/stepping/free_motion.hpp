@@ -1,0 +1,51 @@
+/// \file
+/// The motion of spheres in a substep of length h, and where contacts come in: the one place that knows an integrator.
+#pragma once
+
+#include "stepping/bodies.hpp"
+#include "stepping/substep_track.hpp"
+
+#include <carom/method.hpp>
+
+#include <vector>
+
+namespace carom::stepping {
+
+/// A method whose contacts come after the motion calls `fly`. One whose contacts act on velocities first calls
+/// `accelerate`, then changes velocities, then calls one of the two that move; which one says what the changes were.
+/// With Integrator::euler the two are the same, p += h v.
+///
+/// With Integrator::parabola flight is p += h v + h^2 g / 2, which is h times the mean of the velocities at both ends.
+/// Contacts in between make the end v_end differ from v + h g:
+/// - `move_pushed` takes the change for that of a force that lasts all the substep: p += h (v + v_end) / 2. What rests
+///   (v = v_end = 0) stays, what slides on a plane slides on an exact parabola. A bounce must not be among the changes:
+///   the mean of the velocities before and after it is none that the sphere ever had. It belongs before `accelerate`.
+/// - `move_struck` takes it for that of impulses at the beginning: p += h v_end for those that got one, so that a gap
+///   that was to shrink at v_end shrinks by h v_end, and what rests stays. What slides loses the bend of its path,
+///   h^2 g / 2 a substep.
+/// (Neither is p += h v_end - h^2 g / 2 for all: that is exact in flight too, but lifts what rests by h^2 g / 2.)
+class FreeMotion {
+public:
+    FreeMotion(const Vec3& gravity, Integrator integrator) : gravity_(gravity), integrator_(integrator) {}
+
+    void fly(Bodies& bodies, double h);
+    void accelerate(Bodies& bodies, double h);
+    void move_pushed(Bodies& bodies, double h);
+    void move_struck(Bodies& bodies, double h);
+
+    Integrator integrator() const { return integrator_; }
+    const Vec3& gravity() const { return gravity_; }  ///< [length/time^2]
+    SubstepTrack& track() { return track_; }
+
+private:
+    /// Remember how the spheres, which are still where the substep began, are about to move.
+    void remember(const Bodies& bodies, double h, bool struck);
+
+    Vec3 gravity_;
+    Integrator integrator_;
+    SubstepTrack track_;
+    std::vector<Vec3> start_;  ///< velocities before `accelerate`, for Integrator::parabola and the track
+    std::vector<Vec3> free_;   ///< velocities after it
+};
+
+}  // namespace carom::stepping

@@ -1,0 +1,17 @@
+/// \file
+/// Orders of convergence of the rows of a comparison.
+#pragma once
+
+#include <carom/study.hpp>
+
+#include <vector>
+
+namespace carom::study {
+
+/// Error below which rounding is all there is: what the reference knows, and what counts as touching [length].
+double exact_error(const Scene& scene, double reference_bound);
+
+/// One for each family with at least three steps whose errors are finite and above rounding.
+std::vector<Convergence> fit_orders(const Scene& scene, const Comparison& comparison);
+
+}  // namespace carom::study

@@ -1,0 +1,24 @@
+/// \file
+/// A row measured in full: errors, audit, time.
+#pragma once
+
+#include "study/audit.hpp"
+#include "study/compared_reference.hpp"
+#include "study/row_plan.hpp"
+
+namespace carom::study {
+
+/// What all rows of a comparison share. Everything outlives the rows.
+struct RowMeasurer {
+    const Scene& scene;
+    const CompareOptions& options;
+    const ComparedReference& compared;
+    Auditor& auditor;
+    Patience& patience;
+
+    /// The row; none if it was interrupted before its errors were known.
+    /// \param on_time asked with the time that the recorded run has reached [time]; false interrupts
+    std::optional<CompareRow> measure(const RowPlan& plan, const std::function<bool(double)>& on_time) const;
+};
+
+}  // namespace carom::study

@@ -1,0 +1,43 @@
+#include "study/convergence.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <vector>
+
+using namespace carom::study;
+
+TEST_CASE("the order of a power law is its exponent, without uncertainty", "[convergence]")
+{
+    for (const double order : {0.5, 1.0, 2.0}) {
+        std::vector<StepError> points;
+        for (const double dt : {0.1, 0.03, 0.01, 0.001}) points.push_back({dt, 7 * std::pow(dt, order)});
+        const auto fit = fitted_order(points);
+        REQUIRE(fit);
+        CHECK(fit->order == Approx(order));
+        CHECK(fit->uncertainty == Approx(0).margin(1e-12));
+        CHECK(fit->steps == 4);
+    }
+    CHECK_FALSE(fitted_order(std::vector<StepError>{{0.1, 1}, {0.01, 0.1}}));
+}
+
+TEST_CASE("the uncertainty of a fitted order is that of the textbook's line", "[convergence]")
+{
+    // x = ln dt = 0, 1, 2, y = ln error = 0, 2, 1: slope 1/2, residuals -1/2, 1, -1/2, so s^2 = 1.5 / (3 - 2), S_xx = 2.
+    const std::vector<StepError> points{{1, 1}, {std::exp(1), std::exp(2)}, {std::exp(2), std::exp(1)}};
+    const auto fit = fitted_order(points);
+    REQUIRE(fit);
+    CHECK(fit->order == Approx(0.5));
+    CHECK(fit->uncertainty == Approx(std::sqrt(1.5 / 2)));
+}
+
+TEST_CASE("errors that no longer fall are stalled, but not those of rounding", "[convergence]")
+{
+    const std::vector<StepError> falling{{0.1, 1}, {0.01, 0.1}, {0.001, 0.01}};
+    const std::vector<StepError> flat{{0.1, 1}, {0.01, 0.0050}, {0.001, 0.0049}, {1e-4, 0.0049}};
+    const std::vector<StepError> rounding{{0.1, 3e-15}, {0.01, 4e-15}, {0.001, 5e-15}};
+    CHECK_FALSE(is_stalled(falling, 1e-12));
+    CHECK(is_stalled(flat, 1e-12));
+    CHECK_FALSE(is_stalled(rounding, 1e-12));
+    CHECK(is_stalled(rounding, 1e-16));
+}
