@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import test from "node:test";
 import { examplePage } from "./example.mjs";
+import { auditedRows, percent } from "./src/audit_chart.js";
 import { COLUMNS, TABLE_COLUMNS } from "./src/columns.js";
 import { toCsv } from "./src/csv.js";
 import { decodeTrack, frameAt, positionsAt } from "./src/decode.js";
@@ -35,6 +36,16 @@ test("axes get scales of their own only where spheres could not be seen otherwis
   assert.equal(stretch(view(4, 0.1)), 1); // a tower of 20
   assert.ok(stretch(view(40, 0.1)) < 1);
   assert.ok(stretch({ min: [0, 0], max: [40, 0.2], radius: [0.1] }) > 1);
+});
+
+test("shares say what rounds away, and rows without an audit have none", () => {
+  assert.equal(percent(0, 10), "0 %");
+  assert.equal(percent(10, 10), "100 %");
+  assert.equal(percent(1, 3), "33.3 %");
+  assert.equal(percent(1, 10000), "below 0.1 %");
+  assert.equal(percent(9999, 10000), "above 99.9 %");
+  const rows = [{ audited: 0 }, { audited: 4, found: 4 }, {}, { audited: null }];
+  assert.deepEqual(auditedRows(rows).map(({ index }) => index), [1]);
 });
 
 test("seconds and metres take prefixes, other units none", () => {

@@ -1,5 +1,6 @@
 // The page: verdicts in words, then what they rest on.
 
+import { auditFigure } from "./audit_chart.js";
 import { drawAllCharts } from "./chart.js";
 import { h } from "./dom.js";
 import { formatNumber, formatQuantity, isNumber } from "./format.js";
@@ -56,6 +57,7 @@ function section(comparison, alone) {
       caption: "Distance of the worst sphere from where the reference has it.",
     }),
     missedFigure(comparison),
+    auditFigure(comparison),
   ].filter(Boolean);
   for (const list of [top, parts]) { // two stand side by side; one that is left over takes the whole width
     const halves = list.filter((part) => !part.classList.contains("full"));
