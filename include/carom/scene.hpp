@@ -156,7 +156,8 @@ ContactLaw plane_contact_law(const Scene& scene, int sphere_material, int plane_
 
 /// RestOptions with every default filled in (this project; docs/impacts.md, section 4).
 struct RestThresholds {
-    double closing_speed;  ///< v_c: slower closings count as rest [length/time]
+    double closing_speed;  ///< v_c: slower closings count as rest, but for a sphere alone on a plane or on another one
+                           ///< [length/time]
     double window;         ///< tau_p: a contact that closed more recently is inelastic [time]
     double numeric_step;   ///< h: step of numeric clusters, window of the impact-rate bound [time]
     double gap_tolerance;  ///< g_tol: a contact within it counts as closed when it persists [length]

@@ -4,6 +4,15 @@
 
 namespace carom {
 
+namespace {
+
+/// What counts the events of a kind, in the order of EventKind.
+constexpr std::int64_t Counts::*counters[] = {&Counts::impacts, &Counts::rests, &Counts::releases, &Counts::guarded,
+                                              &Counts::settles};
+static_assert(std::size(counters) == event_kind_names.size());
+
+}  // namespace
+
 Ledger::Ledger(const State& state, const Kernel& kernel, const Observer& observer) : observer_(observer)
 {
     out.kernel = kernel.name;
@@ -60,19 +69,9 @@ void Ledger::show(Event event) const
 void Ledger::record(const State& state, const EpochTime& now, Event event)
 {
     event.at = now;
-    if (event.kind == EventKind::impact) {
-        ++out.counts.impacts;
-        if (const Partner b = state.partner_of(event.b); b.is_plane())
-            out.plane_impulses[static_cast<std::size_t>(b.index)] += event.impulse.dot(event.normal);
-    } else if (event.kind == EventKind::rest) {
-        ++out.counts.rests;
-    } else if (event.kind == EventKind::release) {
-        ++out.counts.releases;
-    } else if (event.kind == EventKind::guard) {
-        ++out.counts.guarded;
-    } else if (event.kind == EventKind::settle) {
-        ++out.counts.settles;
-    }
+    ++(out.counts.*counters[static_cast<std::size_t>(event.kind) - first_event_kind]);
+    if (const Partner b = state.partner_of(event.b); event.kind == EventKind::impact && b.is_plane())
+        out.plane_impulses[static_cast<std::size_t>(b.index)] += event.impulse.dot(event.normal);
     hash_.add(event);
     if (observer_.on_event) show(event);
 }

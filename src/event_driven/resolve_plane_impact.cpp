@@ -33,16 +33,15 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
     const int plane = key.b.index;
     Change& change = add_change(state, id, key.time, out);
     Flight& f = change.flight;
-    const PlaneEncounter encounter(state, f, id, plane);
-    const Vec3& normal = encounter.normal();
+    const Vec3 normal = facing_normal(state, plane, f.place);
     const ContactLaw& plain = state.law(id, key.b);
     if (is_coupled(state, key, plain, f, normal, neighbourhood)) return false;
 
     const ContactLaw law = law_of_impact(state, plain, -normal.dot(f.velocity));
-    out.penetration = encounter.penetration();
+    out.penetration = penetration(state, f, id, plane);
 
     Vec3 impulse = Vec3::Zero();
-    if (encounter.approach_sign() < 0) {
+    if (approach_sign(state, f, id, plane) < 0) {
         const Vec3 gained = velocity_change(f.velocity, normal, law);
         f.velocity += gained;
         impulse = (1 / state.inverse_mass(id)) * gained;
@@ -54,7 +53,8 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
     const double gravity = -normal.dot(state.acceleration(f));  // > 0 presses, as it goes on
     // The kernel must not see the contact close again; rounding may say otherwise.
     double nudge = first_nudge * std::sqrt(f.velocity.squaredNorm());
-    for (int i = 0; i < most_nudges && encounter.approach_sign() < 0; ++i, nudge *= 2) f.velocity += nudge * normal;
+    for (int i = 0; i < most_nudges && approach_sign(state, f, id, plane) < 0; ++i, nudge *= 2)
+        f.velocity += nudge * normal;
 
     const double w = normal.dot(f.velocity);
     const bool leans = kind_of(change.motion) == MotionKind::leaning;

@@ -21,13 +21,12 @@ namespace {
 Contact lawful(const State& state, BodyId a, Partner b, const Vec3& normal, double gap)
 {
     const ContactLaw& law = state.law(a, b);
-    Contact out;
-    out.normal = normal;
-    out.restitution = law.restitution;
-    out.tangential = law.tangential;
-    out.partner = b;
-    out.gap = gap;
-    return out;
+    return {.normal = normal, .restitution = law.restitution, .tangential = law.tangential, .partner = b, .gap = gap};
+}
+
+bool comes_first(const FoundContact& x, const FoundContact& y)
+{
+    return std::tie(x.a, x.contact.partner) < std::tie(y.a, y.contact.partner);
 }
 
 /// Walks along closed contacts, from body to body.
@@ -55,9 +54,7 @@ public:
         }
         std::vector<FoundContact> contacts;
         for (const auto& [a, b] : found_) contacts.push_back({a, closed(a, b)});
-        std::sort(contacts.begin(), contacts.end(), [](const FoundContact& x, const FoundContact& y) {
-            return std::tie(x.a, x.contact.partner) < std::tie(y.a, y.contact.partner);
-        });
+        std::sort(contacts.begin(), contacts.end(), comes_first);
         ContactComponent out;
         number_bodies(state_, {members_.begin(), members_.end()}, std::move(contacts), out);
         for (const auto& [which, contact] : opened_) {
@@ -191,9 +188,7 @@ std::vector<FoundContact> declared_contacts(const State& state)
         grid.insert(i, state.scene.spheres[i].position, radii[i]);
     }
     for (FoundContact& f : found) f.contact.persistent = true;
-    std::sort(found.begin(), found.end(), [](const FoundContact& x, const FoundContact& y) {
-        return std::tie(x.a, x.contact.partner) < std::tie(y.a, y.contact.partner);
-    });
+    std::sort(found.begin(), found.end(), comes_first);
     return found;
 }
 

@@ -4,16 +4,15 @@
 #include "hold/rest_policy.hpp"
 #include "hold/tolerances.hpp"
 #include "math/length.hpp"
-#include "motion/low_return.hpp"
 
 namespace carom {
 
 namespace {
 
 /// The acceleration with which the spheres are pressed together, < 0 where they come apart [length/time^2].
-double pressing(const State& state, const Key& key, const Flight& a, const Flight& b, const Vec3& normal)
+double pressing(const State& state, const Key& key, const Flight& a, const Flight& b, const SphereEncounter& encounter)
 {
-    const Vec3 v = a.velocity - b.velocity, across = v - normal.dot(v) * normal;
+    const Vec3 &normal = encounter.normal(), v = encounter.velocity(), across = v - normal.dot(v) * normal;
     return normal.dot(state.acceleration(b) - state.acceleration(a)) -
            across.squaredNorm() / (state.radius(key.a) + state.radius(key.b.index));
 }
@@ -27,17 +26,18 @@ double speed_rounding(const State& state, const Flight& a, const Flight& b)
 
 }  // namespace
 
-LoneImpact lone_impact(const State& state, const Key& key, const Flight& a, const Flight& b, const Vec3& normal,
-                       double closing, bool returns, const Neighbourhood& neighbourhood)
+LoneImpact lone_impact(const State& state, const Key& key, const Flight& a, const Flight& b,
+                       const SphereEncounter& encounter, bool returns, const Neighbourhood& neighbourhood)
 {
     const BodyId other = key.b.index;
+    const double closing = -encounter.normal().dot(encounter.velocity());
     if (!bounces_to_rounding(state, key.a, other)) return {};
     const ContactLaw& law = state.law(key.a, key.b);
     const bool slow = is_inelastic(state, law, key.a, key.b, closing, key.time);
     if (!(slow || returns) || !is_apart(state, a, key.a, key.b, neighbourhood) ||
         !is_apart(state, b, other, Partner::sphere(key.a), neighbourhood))
         return {};
-    const double press = pressing(state, key, a, b, normal), loss = 1 - law.restitution,
+    const double press = pressing(state, key, a, b, encounter), loss = 1 - law.restitution,
                  rebound = law.restitution * closing;
     if (!(press > 0)) return {.rebounds = true};
     if (bounces_of_rounding > most_bounces * loss)

@@ -16,10 +16,8 @@ struct ForceChange {
     std::vector<PersistentContact> contacts{};
 };
 
-struct EventOutcome {
-    std::vector<Change> changes;      ///< bodies ascending, where there are several
-    std::vector<ForceChange> forces;  ///< likewise
-    std::vector<Event> events;        ///< kind, a, b, normal and impulse; times are the loop's business
+/// What an event counts beside its changes.
+struct EventTally {
     EnergyTaken taken;
     std::int64_t numeric_steps = 0;
     bool clustered = false;  ///< impacts of several contacts were resolved together
@@ -27,6 +25,12 @@ struct EventOutcome {
     bool dies_out = false;   ///< see LoneImpact
     std::optional<EarlyRest> early_rest;
     double penetration = 0;  ///< of contacts at this instant, and of the parabolas of numeric pieces, >= 0 [length]
+};
+
+struct EventOutcome : EventTally {
+    std::vector<Change> changes;      ///< bodies ascending, where there are several
+    std::vector<ForceChange> forces;  ///< likewise
+    std::vector<Event> events;        ///< kind, a, b, normal and impulse; times are the loop's business
 
     /// Nothing has happened; what was allocated stays for the next event.
     void clear()
@@ -34,11 +38,7 @@ struct EventOutcome {
         changes.clear();
         forces.clear();
         events.clear();
-        taken = {};
-        numeric_steps = 0;
-        clustered = capped = dies_out = false;
-        early_rest.reset();
-        penetration = 0;
+        static_cast<EventTally&>(*this) = {};
     }
 };
 

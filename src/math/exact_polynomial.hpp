@@ -34,7 +34,6 @@ public:
 
     /// The sign at a point, always right: in double-double where its bound tells, else exactly. \pre x >= 0
     int sign(const Point& x) const;
-    int sign_at_infinity() const { return c_.empty() ? 0 : c_.back().sign(); }
     /// The value at a point, to the rounding of double-double, in a unit in which the largest coefficient is of order
     /// 1.
     DoubleDouble value(double x) const;

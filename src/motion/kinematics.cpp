@@ -1,6 +1,7 @@
 #include "motion/kinematics.hpp"
 
 #include "motion/clock.hpp"
+#include "motion/plane_query.hpp"
 
 namespace carom {
 
@@ -120,7 +121,7 @@ EpochTime CertifiedKinematics::exact_time(const State& state, BodyId a, Partner 
     const Flight& fa = state.flight(a);
     const auto depth_at = [&](const EpochTime& t) {
         const Flight now = flown(state, a, t);
-        if (b.is_plane()) return PlaneEncounter(state, now, a, b.index).penetration();
+        if (b.is_plane()) return penetration(state, now, a, b.index);
         const Flight other = flown(state, b.index, t);
         return SphereEncounter(state, now, a, other, b.index).penetration();
     };
@@ -185,27 +186,20 @@ double SphereEncounter::penetration() const
     return certified_ ? exactly().overlap() : std::max(0.0, -gap());
 }
 
-PlaneEncounter::PlaneEncounter(const State& state, const Flight& flight, BodyId body, int plane)
-    : state_(state),
-      flight_(flight),
-      body_(body),
-      plane_(plane),
-      certified_(flies_certified(state, body)),
-      normal_(facing_normal(state, plane, flight.place))
+int approach_sign(const State& state, const Flight& flight, BodyId body, int plane)
 {
-}
-
-int PlaneEncounter::approach_sign() const
-{
-    const double sum = normal_.dot(flight_.velocity);
-    if (!certified_ || std::abs(sum) > dot_rounding * normal_.cwiseProduct(flight_.velocity).cwiseAbs().sum())
+    const Vec3 normal = facing_normal(state, plane, flight.place);
+    const double sum = normal.dot(flight.velocity);
+    if (!flies_certified(state, body) ||
+        std::abs(sum) > dot_rounding * normal.cwiseProduct(flight.velocity).cwiseAbs().sum())
         return sum < 0 ? -1 : sum > 0 ? 1 : 0;
-    return exactly().w().sign();
+    return PlaneQuery(state, flight, body, plane).w().sign();
 }
 
-double PlaneEncounter::penetration() const
+double penetration(const State& state, const Flight& flight, BodyId body, int plane)
 {
-    return certified_ ? exactly().overlap() : std::max(0.0, -height_above(state_, body_, plane_, flight_.place));
+    return flies_certified(state, body) ? PlaneQuery(state, flight, body, plane).overlap()
+                                        : std::max(0.0, -height_above(state, body, plane, flight.place));
 }
 
 }  // namespace carom

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "motion/low_return.hpp"
-#include "motion/plane_query.hpp"
+#include "motion/pair_query.hpp"
 #include "toi/enclosure.hpp"
 #include "toi/sphere_plane.hpp"
 #include "toi/sphere_sphere.hpp"
@@ -80,25 +80,9 @@ private:
     const Vec3 normal_;
 };
 
-/// The same of a sphere and a plane; the normal is that of the side where the sphere is.
-class PlaneEncounter {
-public:
-    PlaneEncounter(const State& state, const Flight& flight, BodyId body, int plane);
-
-    const Vec3& normal() const { return normal_; }
-    int approach_sign() const;
-    double penetration() const;
-
-private:
-    PlaneQuery exactly() const { return {state_, flight_, body_, plane_}; }
-
-    const State& state_;
-    const Flight& flight_;
-    const BodyId body_;
-    const int plane_;
-    const bool certified_;
-    const Vec3 normal_;
-};
+/// The same of a sphere and a plane: the sign of d gap/dt, and the depth of the overlap [length].
+int approach_sign(const State& state, const Flight& flight, BodyId body, int plane);
+double penetration(const State& state, const Flight& flight, BodyId body, int plane);
 
 /// from + t, or `never` if that is certainly after the limit: most contacts are, and their times need no splitting.
 inline EpochTime time_up_to(const Frame& frame, const EpochTime& from, double t, const EpochTime& limit)
