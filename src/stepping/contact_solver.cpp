@@ -10,7 +10,9 @@ namespace carom::stepping {
 
 int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps, Patience& patience)
 {
-    double largest = 0;  // lacking velocity met so far
+    double largest = 0;  // lacking velocity met so far; a first guess has met its own
+    for (const ContactRow& row : rows)
+        if (row.impulse > 0) largest = std::max(largest, row.impulse / effective_mass(bodies, row.contact));
     for (int sweep = 1; sweep <= sweeps; ++sweep) {
         double change = 0;
         for (ContactRow& row : rows) {

@@ -21,7 +21,7 @@ struct ContactRow {
 /// Unilateral contact and dry friction in finite freedom dynamics, 1988; Jean, The non-smooth contact dynamics method,
 /// 1999). Ends when a sweep changes no normal velocity by more than 1e-13 of the largest that was lacking, or after
 /// `sweeps`.
-/// \pre impulses of the rows are 0, sweeps >= 1 \return sweeps made
+/// \pre the velocities contain the impulses of the rows, 0 or a first guess; sweeps >= 1 \return sweeps made
 int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps, Patience& patience);
 
 }  // namespace carom::stepping

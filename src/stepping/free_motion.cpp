@@ -54,4 +54,19 @@ void FreeMotion::move_struck(Bodies& bodies, double h) const
     }
 }
 
+void FreeMotion::kick_before(Bodies& bodies, double h) const
+{
+    change_velocities(bodies, gravity_, integrator_ == Integrator::euler ? h : h / 2);
+}
+
+void FreeMotion::drift(Bodies& bodies, double h) const
+{
+    move_straight(bodies, h);
+}
+
+void FreeMotion::kick_after(Bodies& bodies, double h) const
+{
+    if (integrator_ == Integrator::parabola) change_velocities(bodies, gravity_, h / 2);
+}
+
 }  // namespace carom::stepping

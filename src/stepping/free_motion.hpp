@@ -32,6 +32,14 @@ public:
     void move_pushed(Bodies& bodies, double h) const;
     void move_struck(Bodies& bodies, double h) const;
 
+    /// The form of a leapfrog, for contacts that act on the velocities with which a substep is made: kick_before,
+    /// change velocities, drift, kick_after. With Integrator::euler all of gravity comes before; with
+    /// Integrator::parabola half comes before and half after, so that the velocities in between are the mean ones and
+    /// flight is exact.
+    void kick_before(Bodies& bodies, double h) const;
+    void drift(Bodies& bodies, double h) const;
+    void kick_after(Bodies& bodies, double h) const;
+
     Integrator integrator() const { return integrator_; }
     const Vec3& gravity() const { return gravity_; }  ///< [length/time^2]
 

@@ -18,6 +18,8 @@ public:
     ImpactLog(const Scene& scene, const Observer& observer, bool merge);
 
     void add(const Contact& contact, const Impulse& impulse, double time);
+    /// An impulse of a contact that is no event of its own [mass length/time].
+    void press(const Contact& contact, double normal_impulse);
     /// End of a substep.
     void close();
 
