@@ -224,6 +224,7 @@ private:
         switch (system.arranger.order()) {
             case ContactOrder::index:
             case ContactOrder::jacobi:
+            case ContactOrder::shock:
                 return 0;
             case ContactOrder::reverse:
                 return -((std::int64_t{a} << 31) + b);

@@ -40,6 +40,7 @@ public:
         switch (order_) {
             case ContactOrder::index:
             case ContactOrder::jacobi:
+            case ContactOrder::shock:
                 return {0, pair, a, b};
             case ContactOrder::reverse:
                 return {0, ~pair, a, b};

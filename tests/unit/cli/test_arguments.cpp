@@ -180,11 +180,10 @@ TEST_CASE("what belongs to later versions is refused and not in the help", "[arg
 {
     std::string help = parse_arguments({"-h"}).out;
     for (const char* command : {"run", "compare", "stress", "scenes"}) help += parse_arguments({command, "-h"}).out;
-    for (const char* word : {"tunnel", "view", "export", "query", "--save-state", "--equilibrate", "penalty"}) {
+    for (const char* word : {"tunnel", "view", "export", "query", "--save-state", "--equilibrate"}) {
         CAPTURE(word);
         CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
         const bool option = word[0] == '-';
-        if (std::string(word) == "penalty") continue;
         const ParseResult result = parse_arguments(option ? std::vector<std::string>{"run", "ball", word}
                                                           : std::vector<std::string>{word, "ball"});
         CHECK(result.exit_code == exit_usage);
@@ -306,7 +305,6 @@ TEST_CASE("a wrong value is a usage error if typed and a scene error if written 
                                                                  {"order", "best"},
                                                                  {"until", "-1"},
                                                                  {"methods", "event,magic"},
-                                                                 {"methods", "penalty"},
                                                                  {"repeats", "0.5"}};
     for (const auto& [key, text] : wrong) {
         CAPTURE(key, text);
