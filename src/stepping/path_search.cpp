@@ -1,12 +1,12 @@
 #include "stepping/path_search.hpp"
 
+#include "stepping/hierarchical_grid.hpp"
 #include "stepping/tolerances.hpp"
 
 #include <carom/features.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace carom::stepping {
 
@@ -46,7 +46,7 @@ void PathSearch::find_pairs(const Bodies& bodies, Detector& detector, const Reac
         for (std::size_t i = 0; i < bodies.size(); ++i)
             for (std::size_t j = i + 1; j < bodies.size(); ++j) test(bodies, detector, reach, i, j);
     } else {
-        sweep(bodies, detector, reach);
+        test_near(bodies, detector, reach);
         std::sort(found_.begin(), found_.end());
     }
     for (const std::uint64_t pair : found_) {
@@ -68,33 +68,17 @@ void PathSearch::test(const Bodies& bodies, Detector& detector, const Reach& rea
     if (squared <= near * near) found_.push_back(std::uint64_t{std::min(i, j)} << 32 | std::max(i, j));
 }
 
-void PathSearch::sweep(const Bodies& bodies, Detector& detector, const Reach& reach)
+void PathSearch::test_near(const Bodies& bodies, Detector& detector, const Reach& reach)
 {
-    const std::size_t n = bodies.size();
-    box_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec3 start = bodies.position[i], end = start + reach.time * bodies.velocity[i];
-        const Vec3 around = Vec3::Constant(bodies.radius[i] + margin_of(bodies.radius[i]) + reach.bend);
-        box_[i] = {start.cwiseMin(end) - around, start.cwiseMax(end) + around};
-        // What is no number cannot be sorted; it meets nobody.
-        if (!box_[i].low.allFinite() || !box_[i].high.allFinite())
-            box_[i] = {Vec3::Constant(std::numeric_limits<double>::infinity()), box_[i].high};
-    }
-    if (order_.size() != n) {
-        order_.resize(n);
-        for (std::uint32_t i = 0; i < n; ++i) order_[i] = i;
-    }
-    std::sort(order_.begin(), order_.end(),
-              [this](std::uint32_t i, std::uint32_t j) { return box_[i].low.x() < box_[j].low.x(); });
-    for (std::size_t k = 0; k < n; ++k) {
-        const Box& box = box_[order_[k]];
-        for (std::size_t m = k + 1; m < n && box_[order_[m]].low.x() <= box.high.x(); ++m) {
-            const Box& other = box_[order_[m]];
-            if (other.low.y() <= box.high.y() && box.low.y() <= other.high.y() && other.low.z() <= box.high.z() &&
-                box.low.z() <= other.high.z())
-                test(bodies, detector, reach, order_[k], order_[m]);
-        }
-    }
+    reach_.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        reach_[i] = bodies.radius[i] + margin_of(bodies.radius[i]) + reach.bend +
+                    reach.time * std::sqrt(bodies.velocity[i].squaredNorm());
+    HierarchicalGrid grid(reach_);  // as the speeds are now: hardly any sphere keeps its cell size for long
+    grid.build(bodies.position, reach_);
+    grid.for_each_overlap([&](BodyId i, BodyId j) {
+        test(bodies, detector, reach, static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    });
 }
 
 void PathSearch::find_walls(const Bodies& bodies, Detector& detector, const Reach& reach,

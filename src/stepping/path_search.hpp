@@ -18,8 +18,8 @@ struct Reach {
     double bend = 0;
 };
 
-/// Finds contacts by the paths of spheres: all pairs for few of them; for many a sweep along x over the boxes that hold
-/// the paths (Cohen, Lin, Manocha, Ponamgi, I-COLLIDE, 1995). Results do not depend on which.
+/// Finds contacts by the paths of spheres: all pairs for few of them; for many a grid for the balls that hold their
+/// paths. Results do not depend on which.
 class PathSearch {
 public:
     explicit PathSearch(std::size_t spheres);
@@ -30,19 +30,13 @@ public:
     void find(const Bodies& bodies, Detector& detector, const Reach& reach, std::vector<Contact>& contacts);
 
 private:
-    /// The box that holds a path and all that is near it.
-    struct Box {
-        Vec3 low, high;
-    };
-
     void find_pairs(const Bodies& bodies, Detector& detector, const Reach& reach, std::vector<Contact>& contacts);
     void find_walls(const Bodies& bodies, Detector& detector, const Reach& reach, std::vector<Contact>& contacts);
-    void sweep(const Bodies& bodies, Detector& detector, const Reach& reach);
+    void test_near(const Bodies& bodies, Detector& detector, const Reach& reach);
     void test(const Bodies& bodies, Detector& detector, const Reach& reach, std::size_t i, std::size_t j);
 
     bool tests_all_pairs_;
-    std::vector<Box> box_;
-    std::vector<std::uint32_t> order_;  ///< spheres by the low end of their boxes along x
+    std::vector<double> reach_;  ///< of each sphere, from its centre: whatever it may meet is in it [length]
     std::vector<std::uint64_t> found_;
 };
 

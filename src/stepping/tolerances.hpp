@@ -23,8 +23,9 @@ inline constexpr std::int64_t spheres_between_looks = 4096;
 inline constexpr double solved_contacts = 1e-13;
 
 /// Substeps [1] that two bodies alone stay in contact under penalty without a stiffness, without damping: omega h =
-/// pi/10. A fast impact is 3.2 v h deep, and the energy is off by (omega h)^2 / 2 = 5 % at most, from the phase of the
-/// step in which it is first seen; twice as many make that 1.2 % and a ball dropped from 1 m sink 12 cm at 240 steps/s.
+/// pi/10. A fast impact is 3.2 v h deep. From the phase of the step in which the overlap is first seen the speed of
+/// rebound is off by at most 0.2 % of the speed before at e = 1, 3.5 % at 0.8, 5.6 % at 0.5; with 20 steps by 0.02 %,
+/// 1.7 %, 3.6 %, but then a ball dropped from 1 m sinks by 12 cm at 240 steps a second.
 inline constexpr double steps_in_contact = 10;
 
 /// Distance [smaller radius] up to which a path that passes by is a contact ahead: 4 slops of 5 mm for bodies 1 m wide

@@ -297,6 +297,31 @@ TEST_CASE("a run's method takes its step from the options", "[choices]")
     CHECK(name(run_settings({}, {}, scene_with({}), "").method) == "event");
 }
 
+TEST_CASE("options of one method set it, from the command line and from the scene, and say when they have no effect",
+          "[choices]")
+{
+    RunArguments args;
+    args.given = {{"method", "soft"}, {"hertz", "60"}, {"damping_ratio", "1/2"}};
+    const Method soft = run_settings(args, {}, scene_with({}), "ball.json").method;
+    REQUIRE(std::holds_alternative<Soft>(soft));
+    CHECK(std::get<Soft>(soft).hertz == 60);
+    CHECK(std::get<Soft>(soft).damping_ratio == 0.5);
+    CHECK(ignored_options(args.given, soft).empty());
+
+    Scene scene = scene_with({});
+    scene.run = {{"method", std::string("penalty")}, {"stiffness", 1e4}};
+    const Method penalty = run_settings({}, {}, scene, "ball.json").method;
+    CHECK(std::get<Penalty>(penalty).stiffness == 1e4);
+    scene.run.erase("stiffness");
+    CHECK_FALSE(std::get<Penalty>(run_settings({}, {}, scene, "ball.json").method).stiffness.has_value());
+    const std::vector<std::string> notes = ignored_options(args.given, penalty);
+    REQUIRE(notes.size() == 2);
+    CHECK(notes[0] == "--hertz has no effect: it is for --method soft");
+    CHECK(notes[1] == "--damping-ratio has no effect: it is for --method soft");
+    args.given["hertz"] = "0";
+    CHECK_THROWS_AS(run_settings(args, {}, scene_with({}), "ball.json"), UsageError);
+}
+
 TEST_CASE("a wrong value is a usage error if typed and a scene error if written in the scene", "[choices]")
 {
     const std::vector<std::pair<std::string, std::string>> wrong{{"dt", "0"},
