@@ -176,9 +176,9 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
                          const std::string& file)
 {
     const Choices choices(args.given, scene.run, file + ": /run");
-    choices.expect_known({"method", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "max_events",
-                          "max_seconds", "final", "kernel", "certified", "impact", "guard", "stiffness", "hertz",
-                          "damping_ratio"});
+    choices.expect_known({"method", "dt", "substeps", "passes", "order", "integrator", "literal", "most_impacts",
+                          "until", "max_events", "max_seconds", "final", "kernel", "certified", "impact", "guard",
+                          "stiffness", "hertz", "damping_ratio"});
     StepOptions step = choices.step(global.seed.value_or(scene.seed));
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();
@@ -190,6 +190,8 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
         event->certified = choices.flag("certified");
         choose_kernel(scene, event->kernel);  // a wrong name is the user's mistake: say so before anything runs
     }
+    if (auto* toi = std::get_if<ImpactSubsteps>(&settings.method))
+        toi->most_impacts = choices.integers("most_impacts", {toi->most_impacts}).front();
     if (auto* penalty = std::get_if<Penalty>(&settings.method); penalty && choices.has("stiffness"))
         penalty->stiffness = choices.number("stiffness", 0);
     if (auto* soft = std::get_if<Soft>(&settings.method)) {

@@ -20,6 +20,8 @@ std::vector<std::string> ignored_options(const GivenOptions& given, const Method
                             " takes no steps (name a stepping method: --method pbd)");
     if (given.contains("literal") && name(method) != "pbd")
         notes.push_back("--literal has no effect: it is for --method pbd");
+    if (given.contains("most_impacts") && name(method) != "toi")
+        notes.push_back("--most-impacts has no effect: it is for --method toi");
     if (given.contains("kernel") && steps)
         notes.push_back("--kernel has no effect: it is for the event method, not for " + std::string(name(method)));
     if (given.contains("certified") && steps)

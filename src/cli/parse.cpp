@@ -75,6 +75,8 @@ void define_run(CLI::App& app, RunArguments& run)
     add_given(app, run.given, "--substeps", "N", "Substeps of a step [1]");
     add_given(app, run.given, "--passes", "N", "Passes over the contacts in a substep [1]");
     add_step_options(app, run.given);
+    add_given(app, run.given, "--most-impacts", "N",
+              "toi only: impacts of a sphere in a substep; further ones do not rebound [100]");
     add_given(app, run.given, "--stiffness", "K",
               "penalty only: of every spring [two bodies: ten substeps in contact]");
     add_given(app, run.given, "--hertz", "F", "soft only: frequency of the spring of an overlap [30]");

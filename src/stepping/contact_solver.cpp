@@ -8,11 +8,9 @@
 
 namespace carom::stepping {
 
-int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps, Patience& patience)
+int solve_contacts(Bodies& bodies, std::vector<ContactRow>& rows, int sweeps, Patience& patience, double scale)
 {
-    double largest = 0;  // lacking velocity met so far; a first guess has met its own
-    for (const ContactRow& row : rows)
-        if (row.impulse > 0) largest = std::max(largest, row.impulse / effective_mass(bodies, row.contact));
+    double largest = scale;  // lacking velocity met so far
     for (int sweep = 1; sweep <= sweeps; ++sweep) {
         double change = 0;
         for (ContactRow& row : rows) {

@@ -82,7 +82,7 @@ Outcome drive(const Scene& scene, const StepOptions& options, const RunOptions& 
                 return stop(Status::event_limit, limit_message("the limit of substeps", outcome.time, until));
             const Substep substep = timeline.substep(step, k);
             const bool sampled = sampler.due(substep.end);
-            if (sampled) sampler.keep(system.bodies);
+            system.motion.track().want(sampled);
             stepper.advance(system, substep);
             system.impacts.close();
             ++outcome.counts.steps;
@@ -90,7 +90,7 @@ Outcome drive(const Scene& scene, const StepOptions& options, const RunOptions& 
             const std::size_t diverged = first_diverged(system.bodies);
             if (diverged < system.bodies.size())
                 return stop(Status::unresolved, divergence_message(scene, diverged, substep.end));
-            if (sampled) sampler.show(substep, system.bodies);
+            if (sampled) sampler.show(substep, system.bodies, system.motion.track());
             const Status status = watch.look(outcome.counts.steps, substep.end);
             if (status == Status::interrupted)
                 return stop(status, limit_message("a request to stop", substep.end, until));

@@ -26,9 +26,9 @@ void ImpactLog::add(const Contact& contact, const Impulse& impulse, double time)
     }
 }
 
-void ImpactLog::press(const Contact& contact, double normal_impulse)
+void ImpactLog::press(const Contact& contact, double impulse)
 {
-    if (contact.b >= spheres_) plane_impulses_[static_cast<std::size_t>(contact.b - spheres_)] += normal_impulse;
+    if (contact.b >= spheres_) plane_impulses_[static_cast<std::size_t>(contact.b - spheres_)] += impulse;
 }
 
 void ImpactLog::close()

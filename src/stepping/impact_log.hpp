@@ -18,8 +18,8 @@ public:
     ImpactLog(const Scene& scene, const Observer& observer, bool merge);
 
     void add(const Contact& contact, const Impulse& impulse, double time);
-    /// An impulse of a contact that is no event of its own [mass length/time].
-    void press(const Contact& contact, double normal_impulse);
+    /// An impulse that is no event: of a contact that rests, or goes on. A plane feels it [mass length/time].
+    void press(const Contact& contact, double impulse);
     /// End of a substep.
     void close();
 

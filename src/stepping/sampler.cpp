@@ -2,12 +2,8 @@
 
 namespace carom::stepping {
 
-void Sampler::show_one(const Bodies& bodies, double fraction)
+void Sampler::show_one()
 {
-    show_states(bodies, states_);
-    if (fraction < 1)
-        for (std::size_t i = 0; i < bodies.size(); ++i)
-            states_[i].position = before_[i] + fraction * (bodies.position[i] - before_[i]) - bodies.origin;
     observer_.on_sample(next_, next_time_, states_);
     ++next_;
     next_time_ =
@@ -16,14 +12,18 @@ void Sampler::show_one(const Bodies& bodies, double fraction)
 
 void Sampler::show_initial(const Bodies& bodies)
 {
-    while (due(0)) show_one(bodies, 1);
+    while (due(0)) {
+        show_states(bodies, states_);
+        show_one();
+    }
 }
 
-void Sampler::show(const Substep& substep, const Bodies& bodies)
+void Sampler::show(const Substep& substep, const Bodies& bodies, const SubstepTrack& track)
 {
     while (due(substep.end)) {
-        const double fraction = (next_time_ - substep.begin) / (substep.end - substep.begin);
-        show_one(bodies, next_time_ < substep.end ? fraction : 1);
+        show_states(bodies, states_);
+        if (next_time_ < substep.end) track.show(next_time_ - substep.begin, bodies, states_);
+        show_one();
     }
 }
 

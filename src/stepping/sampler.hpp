@@ -3,6 +3,7 @@
 #pragma once
 
 #include "stepping/bodies.hpp"
+#include "stepping/substep_track.hpp"
 #include "stepping/timeline.hpp"
 
 #include <carom/simulate.hpp>
@@ -12,7 +13,8 @@
 
 namespace carom::stepping {
 
-/// Inside a substep positions are interpolated linearly, as the method moved them; velocities are those of its end.
+/// Inside a substep spheres are on the path by which the method moved them, before it corrected anything at the end;
+/// velocities follow gravity from those at its begin to those at its end. A sample at an end shows the state there.
 class Sampler {
 public:
     explicit Sampler(const Observer& observer) : observer_(observer)
@@ -24,18 +26,16 @@ public:
     bool due(double time) const { return next_time_ <= time; }
     /// Samples at the start of the run.
     void show_initial(const Bodies& bodies);
-    /// Remember positions at the start of a substep that has samples.
-    void keep(const Bodies& bodies) { before_ = bodies.position; }
-    /// Samples inside the substep, its end included.
-    void show(const Substep& substep, const Bodies& bodies);
+    /// Samples inside the substep, its end included. \param track of that substep
+    void show(const Substep& substep, const Bodies& bodies, const SubstepTrack& track);
 
 private:
-    void show_one(const Bodies& bodies, double fraction);
+    /// The states that were put into `states_`.
+    void show_one();
 
     const Observer& observer_;
     std::size_t next_ = 0;
     double next_time_ = std::numeric_limits<double>::infinity();
-    std::vector<Vec3> before_;
     std::vector<BodyState> states_;
 };
 

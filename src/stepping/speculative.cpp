@@ -72,7 +72,7 @@ private:
         rows_.clear();
         known_.clear();
         for (int round = 0; round < sweeps_ && join(system, h); ++round) {
-            solve_contacts(system.bodies, rows_, sweeps_, system.patience);
+            solve(system);
             const bool pushes =
                 std::any_of(rows_.begin(), rows_.end(), [](const ContactRow& row) { return row.impulse > 0; });
             if (!pushes || system.patience.ended()) break;
@@ -99,6 +99,15 @@ private:
         return !contacts_.empty();
     }
 
+    /// From the impulses that the rows have, to what their changes leave of the speeds that these give.
+    void solve(System& system)
+    {
+        double scale = 0;
+        for (const ContactRow& row : rows_)
+            scale = std::max(scale, row.impulse / effective_mass(system.bodies, row.contact));
+        solve_contacts(system.bodies, rows_, sweeps_, system.patience, scale);
+    }
+
     double velocity_before(const System& system, const Contact& c) const
     {
         const Vec3& a = before_[static_cast<std::size_t>(c.a)];
@@ -117,7 +126,7 @@ private:
             apply(system.bodies, c, guess * c.normal);
             row.impulse += guess;
         }
-        solve_contacts(system.bodies, rows_, sweeps_, system.patience);
+        solve(system);
         for (std::size_t k = 0; k < rows_.size(); ++k) added_[k].impulse = rows_[k].impulse - added_[k].impulse;
         memory_after_.keep(added_, [&](const ContactRow& row) { return !has_struck(system, row.contact); });
         report(system, substep);

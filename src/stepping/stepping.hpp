@@ -25,6 +25,9 @@ Outcome run_stepping(const Scene& scene, const Bisection& method, const RunOptio
 Outcome run_stepping(const Scene& scene, const Naive& method, const RunOptions& options, const Observer& observer);
 /// `passes` has no meaning here: contacts are solved together, to convergence or `sweeps`.
 Outcome run_stepping(const Scene& scene, const Moreau& method, const RunOptions& options, const Observer& observer);
+/// `passes` has no meaning here. Events carry the time of contact inside the substep; contacts that rest are none.
+Outcome run_stepping(const Scene& scene, const ImpactSubsteps& method, const RunOptions& options,
+                     const Observer& observer);
 /// Neither `passes` nor `order` has a meaning here. An event is the begin of a contact, with the impulse of its first
 /// substep; `plane_impulses` have all. A stiffness whose springs would gain energy is refused: Status::unresolved.
 Outcome run_stepping(const Scene& scene, const Penalty& method, const RunOptions& options, const Observer& observer);

@@ -49,6 +49,19 @@ inline constexpr std::int64_t most_responses = 100;
 /// Responses in a substep of bisection for each sphere [1], beside `most_responses`.
 inline constexpr std::int64_t most_responses_a_sphere = 10;
 
+/// Height of a rebound [largest coordinate of the place] that is none: four roundings, of the three sums in n.p - d - r
+/// and of p.
+inline constexpr double rounding_of_place = 4 * 0x1p-52;
+/// Gap [radii] at which a resting contact has opened: far above what a thousand steps add up to in rounding, 1e-13, and
+/// far below what a sphere that has left rises in one, 1e-6 at least.
+inline constexpr double open_contact = 1e-9;
+/// Speed at which a resting contact opens [what gravity gives in a substep]: with it a sphere rises to a
+/// millionth of the height that it falls in a substep.
+inline constexpr double opening_share = 1e-3;
+/// Sweeps [1] over resting contacts for their forces, at most: a column of 8 has its forces to 1e-13 then, higher ones
+/// get there in the next substeps, which begin with the forces found.
+inline constexpr int support_sweeps = 800;
+
 /// Place [cells from the home of a grid] beyond which spheres are handled one by one: below it the rounding of position
 /// / edge, two of u 2^30, stays under 2.4e-7 of a cell, less than `cell_slack`, and cell numbers fit 32 bits.
 inline constexpr double farthest_cell = 1 << 30;

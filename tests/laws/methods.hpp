@@ -43,6 +43,7 @@ inline std::vector<Claims> methods()
         {"pbd", PositionBased{steps}, true},
         {"velocity", VelocityBased{steps}},
         {"bisection", Bisection{steps}, true, false, true, true},
+        {"toi", ImpactSubsteps{steps}, true, false, true, true},
         {"naive", Naive{steps}, true},
         {"moreau", Moreau{steps}, true},
         {"penalty", Penalty{steps}, false, false, false, true, false, true},

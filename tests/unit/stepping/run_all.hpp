@@ -71,7 +71,8 @@ inline std::vector<Method> all_impulsive(const StepOptions& options)
 /// Whether it looks along the paths of a step, so that nothing passes through anything thin.
 inline bool looks_ahead(const Method& method)
 {
-    return std::holds_alternative<Speculative>(method) || std::holds_alternative<Soft>(method);
+    return std::holds_alternative<ImpactSubsteps>(method) || std::holds_alternative<Speculative>(method) ||
+           std::holds_alternative<Soft>(method);
 }
 
 }  // namespace carom::test
