@@ -56,10 +56,10 @@ private:
     void begin(System& system, const Substep& substep)
     {
         contacts_.forget_all();
+        std::fill(impacts_.begin(), impacts_.end(), 0);
+        resting_.support_all(system, contacts_.paths, substep.length, closed_);
         closed_.clear();
         loosened_.clear();
-        std::fill(impacts_.begin(), impacts_.end(), 0);
-        resting_.support_all(system, contacts_.paths, substep.length);
         contacts_.paths.begin(system.bodies, system.motion, substep.length);
         swept_.begin(system, contacts_.paths);
         swept_.for_each_pair(system, [&](BodyId a, BodyId b) { look(system, a, b, 0); });
@@ -116,7 +116,11 @@ private:
         if (rate > rest || (rate >= 0 && press <= 0)) return;
         const bool is_spent =
             impacts_[index(next.a)] >= most_impacts_ || (pair && impacts_[index(next.b)] >= most_impacts_);
-        if (is_spent && closed_.contains({next.a, next.b})) return;  // it has been closed in this substep already
+        if (is_spent && closed_.contains({next.a, next.b})) {
+            resting_.add(system, next.a,
+                         next.b);  // it has been stopped in this substep: the next one stops all at once
+            return;
+        }
         contacts_.stop(system, next.a, next.b, next.time);
         // What rested and is pushed on by a neighbour slower than gravity would push it does not rebound.
         const double g = std::sqrt(system.motion.gravity().squaredNorm());
@@ -192,9 +196,8 @@ private:
     RestingContacts resting_;
     std::vector<int> impacts_;  ///< of each sphere in this substep
     std::vector<BodyId> partners_;
-    using Pairs = std::set<std::pair<BodyId, BodyId>>;
-    Pairs closed_;    ///< those that got a response in this substep
-    Pairs loosened_;  ///< those that rested in this substep until a neighbour moved one of them
+    std::set<BodyPair> closed_;    ///< those that got a response in this substep
+    std::set<BodyPair> loosened_;  ///< those that rested in this substep until a neighbour moved one of them
 };
 
 }  // namespace
