@@ -36,7 +36,7 @@ public:
 
     /// At the begin of a substep of length h: forgets what has come apart or is not pressed any more, takes overlap and
     /// closing speed from the others, and gives all spheres the accelerations with which they stay closed.
-    /// \param closed contacts that were closed in the substep before, of which overlap may be left, too
+    /// \param closed other contacts that the substep before left overlapping
     void support_all(System& system, StepPaths& paths, double h, const std::set<BodyPair>& closed);
     /// Within a substep: accelerations for these spheres, while all others keep theirs. \pre all have states of one
     /// moment, to first order

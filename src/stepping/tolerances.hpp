@@ -44,11 +44,6 @@ inline constexpr double push_out = 0.1;
 
 /// Halvings [1] of a bracket: lo and hi are neighbours then, unless lo is many orders below hi.
 inline constexpr int most_halvings = 64;
-/// Responses in a substep of bisection [1] for each scene: where bounces accumulate a substep would not end.
-inline constexpr std::int64_t most_responses = 100;
-/// Responses in a substep of bisection for each sphere [1], beside `most_responses`.
-inline constexpr std::int64_t most_responses_a_sphere = 10;
-
 /// Height of a rebound [largest coordinate of the place] that is none: four roundings, of the three sums in n.p - d - r
 /// and of p.
 inline constexpr double rounding_of_place = 4 * 0x1p-52;
