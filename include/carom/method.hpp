@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -27,9 +28,12 @@ struct EventDriven {
 
 /// Order in which a discrete method visits the contacts of one pass: pairs by a, then b; the same from the end; at
 /// random; the deepest first, as the pass begins. `jacobi`, of pbd alone: index order over the list of overlaps as they
-/// are before any is corrected, so that what a correction causes waits for the next pass or step.
-enum class ContactOrder : std::uint8_t { index, reverse, random, deepest, jacobi };
-inline constexpr std::array<std::string_view, 5> contact_order_names{"index", "reverse", "random", "deepest", "jacobi"};
+/// are before any is corrected, so that what a correction causes waits for the next pass or step. `shock`, of velocity
+/// and moreau alone: from the ground up, and after all passes once more, each level infinitely heavy for the next
+/// (Guendelman et al. 2003).
+enum class ContactOrder : std::uint8_t { index, reverse, random, deepest, jacobi, shock };
+inline constexpr std::array<std::string_view, 6> contact_order_names{"index",   "reverse", "random",
+                                                                     "deepest", "jacobi",  "shock"};
 
 /// Motion of a discrete method between its contacts, with h = dt / substeps. `euler`: semi-implicit Euler, v += h g,
 /// then p += h v. `parabola`: p += h v + h^2 g / 2, v += h g, which is exact in flight.
@@ -85,10 +89,36 @@ struct ImpactSubsteps : StepOptions {
     int most_impacts = 100;
 };
 
-/// Each alternative says what users call it, `method_name`; names, help texts and messages follow from this list.
-using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive, Moreau, ImpactSubsteps>;
+/// Penalty: a spring and a damper while bodies overlap (Moore, Wilhelms 1988). Neither `passes` nor `order` has a
+/// meaning here: all forces are those of one state.
+struct Penalty : StepOptions {
+    static constexpr std::string_view method_name = "penalty";
+    /// > 0, of every spring [mass/time^2]; a step longer than the stable one, 2/sqrt(k/m) and with damping less, is
+    /// refused. None: that with which two bodies alone stay in contact for ten substeps, from their reduced mass.
+    std::optional<double> stiffness{};
+};
 
-/// The word that users know it by: "event", "pbd", "velocity", "bisection", "naive", "moreau", "toi".
+/// Speculative contacts: nothing passes a gap within a step, then what closed faster than that rebounds (Catto; Firth
+/// 2011). `passes` has no meaning here.
+struct Speculative : StepOptions {
+    static constexpr std::string_view method_name = "speculative";
+    int sweeps = 100;  ///< >= 1, of sequential impulses, at most
+};
+
+/// Soft contacts with relaxation, the solver of Box2D 3 ("TGS soft": Catto 2024), which takes 4 substeps. Contacts are
+/// looked for once a step. `passes` has no meaning here.
+struct Soft : StepOptions {
+    static constexpr std::string_view method_name = "soft";
+    double hertz = 30;          ///< > 0, of the spring of an overlap, at most a quarter of the substeps' rate [1/time]
+    double damping_ratio = 10;  ///< >= 0
+};
+
+/// Each alternative says what users call it, `method_name`; names, help texts and messages follow from this list.
+using Method = std::variant<EventDriven, PositionBased, VelocityBased, Bisection, Naive, Moreau, ImpactSubsteps,
+                            Penalty, Speculative, Soft>;
+
+/// The word that users know it by: "event", "pbd", "velocity", "bisection", "naive", "moreau", "toi",
+/// "penalty", "speculative", "soft".
 std::string_view name(const Method& method);
 /// All method names, in the order of the variant.
 const std::vector<std::string>& method_names();

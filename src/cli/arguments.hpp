@@ -21,7 +21,7 @@ using GivenOptions = std::map<std::string, std::string>;
 struct RunArguments {
     std::string scene;
     GivenOptions given;  ///< method, dt, substeps, passes, order, integrator, literal, most_impacts, until, max_events,
-                         ///< max_seconds, kernel, certified, impact, guard
+                         ///< max_seconds, kernel, certified, impact, guard, stiffness, hertz, damping_ratio
     bool always_final = false, allow_overlap = false;
     std::vector<std::string> set;  ///< "/pointer=value"
     std::string out;               ///< folder for run.json; may be empty

@@ -52,7 +52,6 @@ std::string known_method(const std::string& word)
 {
     const std::vector<std::string>& known = method_names();
     if (std::find(known.begin(), known.end(), word) != known.end()) return word;
-    if (word == "penalty") throw std::invalid_argument(word + ": not yet");
     const std::string near = io::nearest(word, known);
     throw std::invalid_argument(fmt::format("unknown method \"{}\" ({}take {})", word,
                                             near.empty() ? "" : "did you mean \"" + near + "\"? ",
@@ -202,7 +201,8 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
 {
     const Choices choices(args.given, scene.run, file + ": /run");
     choices.expect_known({"method", "dt", "substeps", "passes", "order", "integrator", "literal", "most_impacts",
-                          "until", "max_events", "max_seconds", "final", "kernel", "certified", "impact", "guard"});
+                          "until", "max_events", "max_seconds", "final", "kernel", "certified", "impact", "guard",
+                          "stiffness", "hertz", "damping_ratio"});
     StepOptions step = choices.step(global.seed.value_or(scene.seed));
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();
@@ -216,6 +216,12 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
     }
     if (auto* toi = std::get_if<ImpactSubsteps>(&settings.method))
         toi->most_impacts = choices.integers("most_impacts", {toi->most_impacts}).front();
+    if (auto* penalty = std::get_if<Penalty>(&settings.method); penalty && choices.has("stiffness"))
+        penalty->stiffness = choices.number("stiffness", 0);
+    if (auto* soft = std::get_if<Soft>(&settings.method)) {
+        soft->hertz = choices.number("hertz", soft->hertz);
+        soft->damping_ratio = choices.number("damping_ratio", soft->damping_ratio);
+    }
     settings.always_final = args.always_final || choices.flag("final");
     settings.run.until = choices.number("until", scene.end_time);
     settings.run.max_events = choices.integer("max_events", settings.run.max_events);

@@ -26,6 +26,13 @@ std::vector<std::string> ignored_options(const GivenOptions& given, const Method
         notes.push_back("--kernel has no effect: it is for the event method, not for " + std::string(name(method)));
     if (given.contains("certified") && steps)
         notes.push_back("--certified has no effect: it is for the event method, not for " + std::string(name(method)));
+    const auto of_one = [&](const char* option, const char* key, std::string_view method_name) {
+        if (given.contains(key) && name(method) != method_name)
+            notes.push_back(fmt::format("--{} has no effect: it is for --method {}", option, method_name));
+    };
+    of_one("stiffness", "stiffness", Penalty::method_name);
+    of_one("hertz", "hertz", Soft::method_name);
+    of_one("damping-ratio", "damping_ratio", Soft::method_name);
     return notes;
 }
 

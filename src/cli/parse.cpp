@@ -55,7 +55,8 @@ void add_literal(CLI::App& app, GivenOptions& given)
 void add_step_options(CLI::App& app, GivenOptions& given)
 {
     add_given(app, given, "--order", "ORDER",
-              "Order of contacts in a pass: " + joined(contact_order_names) + " (pbd only) [index]");
+              "Order of contacts in a pass: " + joined(contact_order_names) +
+                  " (jacobi: pbd only; shock: velocity and moreau only) [index]");
     add_given(app, given, "--integrator", "I",
               "Motion between contacts: " + joined(integrator_names) + ", which is exact in flight [euler]");
     add_literal(app, given);
@@ -81,6 +82,10 @@ void define_run(CLI::App& app, RunArguments& run)
     add_step_options(app, run.given);
     add_given(app, run.given, "--most-impacts", "N",
               "toi only: impacts of a sphere in a substep; further ones do not rebound [100]");
+    add_given(app, run.given, "--stiffness", "K",
+              "penalty only: of every spring [two bodies: ten substeps in contact]");
+    add_given(app, run.given, "--hertz", "F", "soft only: frequency of the spring of an overlap [30]");
+    add_given(app, run.given, "--damping-ratio", "Z", "soft only: damping ratio of that spring [10]");
     add_given(app, run.given, "--kernel", "K", "Force a kernel of the event method (carom explain lists them)");
     app.add_flag_callback(
         "--certified", [&run] { run.given["certified"] = "true"; },

@@ -64,15 +64,21 @@ Json body_seconds_json(const BodyTimes& times)
     return {{"closed_form", times.closed_form}, {"numeric", times.numeric}, {"guarded", times.guarded}};
 }
 
-Json step_json(const StepOptions& step)
+Json step_json(const Method& method, const StepOptions& step)
 {
-    return {{"dt", step.dt},
-            {"substeps", step.substeps},
-            {"passes", step.passes},
-            {"order", std::string(name(step.order))},
-            {"integrator", std::string(name(step.integrator))},
-            {"literal", step.literal},
-            {"seed", step.seed}};
+    Json json = {{"dt", step.dt},
+                 {"substeps", step.substeps},
+                 {"passes", step.passes},
+                 {"order", std::string(name(step.order))},
+                 {"integrator", std::string(name(step.integrator))},
+                 {"literal", step.literal},
+                 {"seed", step.seed}};
+    if (const auto* penalty = std::get_if<Penalty>(&method)) json["stiffness"] = optional_json(penalty->stiffness);
+    if (const auto* soft = std::get_if<Soft>(&method)) {
+        json["hertz"] = soft->hertz;
+        json["damping_ratio"] = soft->damping_ratio;
+    }
+    return json;
 }
 
 Json pressure_json(const Scene& scene, const RunStudy& run)
@@ -153,7 +159,7 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
     json["kernel"] = outcome.kernel.empty() ? Json(nullptr) : Json(outcome.kernel);
     const auto* event = std::get_if<EventDriven>(&method);
     json["number"] = event != nullptr && event->certified ? "double-double" : "double";
-    if (step != nullptr) json["step"] = step_json(*step);
+    if (step != nullptr) json["step"] = step_json(method, *step);
     json["status"] = name(outcome.status);
     json["message"] = outcome.message;
     json["time"] = outcome.time;

@@ -18,7 +18,7 @@ const std::vector<CommandOptions>& command_options()
     static const std::vector<CommandOptions> options{
         {"run",
          {"method", "dt", "substeps", "passes", "order", "integrator", "literal", "most_impacts", "until", "max_events",
-          "max_seconds", "final", "kernel", "certified", "impact", "guard"},
+          "max_seconds", "final", "kernel", "certified", "impact", "guard", "stiffness", "hertz", "damping_ratio"},
          {"equilibrate"}},
         {"compare",
          {"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats", "tolerance",
@@ -64,9 +64,8 @@ std::optional<OptionValue> as_option(const Place& place, Problems& problems)
 
 void check_methods(const Place& place, Problems& problems)
 {
-    const std::vector<std::string> later{"penalty"};
     if (place.value->kind == Json::Kind::array)
-        for (const auto& entry : as_list(place, problems)) as_word(entry, method_names(), later, problems);
+        for (const auto& entry : as_list(place, problems)) as_word(entry, method_names(), {}, problems);
 }
 
 CommandDefaults read_defaults(const Place& section, const CommandOptions& options, Problems& problems)
@@ -84,7 +83,7 @@ CommandDefaults read_defaults(const Place& section, const CommandOptions& option
             problems.add(place.pointer, "unknown key" + suggestion(key, options.now, "options of " + options.command));
         } else {
             if (key == "methods") check_methods(place, problems);
-            if (key == "method") as_word(place, method_names(), {"penalty"}, problems);
+            if (key == "method") as_word(place, method_names(), {}, problems);
             if (auto value = as_option(place, problems)) defaults.emplace(key, *std::move(value));
         }
     }

@@ -18,6 +18,7 @@ void ContactArranger::arrange(std::vector<Contact>& contacts)
     switch (order_) {
         case ContactOrder::index:
         case ContactOrder::jacobi:
+        case ContactOrder::shock:  // by ContactLevels, which knows the bodies
             return;
         case ContactOrder::reverse:
             std::reverse(contacts.begin(), contacts.end());

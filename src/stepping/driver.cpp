@@ -4,16 +4,23 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace carom::stepping {
-
-namespace {
 
 std::string text(double value)
 {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.9g", value);
     return buffer;
+}
+
+namespace {
+
+/// Who has an order that not every method has.
+std::string owners(ContactOrder order)
+{
+    return order == ContactOrder::jacobi ? "pbd has" : "velocity and moreau have";
 }
 
 }  // namespace
@@ -25,7 +32,7 @@ std::string option_problem(const StepOptions& options, double until, std::span<c
     if (options.passes < 1) return "passes must be at least 1, is " + std::to_string(options.passes);
     if (options.order > ContactOrder::deepest &&
         std::find(more_orders.begin(), more_orders.end(), options.order) == more_orders.end())
-        return "this method has no order " + std::string(name(options.order)) +
+        return "this method has no order " + std::string(name(options.order)) + ", " + owners(options.order) +
                " (take index, reverse, random or deepest)";
     if (!(until >= 0) || !std::isfinite(until)) return "until must be >= 0 and finite, is " + text(until);
     return "";
@@ -51,6 +58,14 @@ Outcome collect(const System& system, Outcome outcome)
     outcome.rest_times.resize(system.bodies.size());
     show_states(system.bodies, outcome.final);
     return outcome;
+}
+
+Outcome refuse(const System& system, std::string problem)
+{
+    Outcome outcome;
+    outcome.status = Status::unresolved;
+    outcome.message = std::move(problem);
+    return collect(system, std::move(outcome));
 }
 
 Watch::Watch(const RunOptions& options, const Observer& observer, std::size_t spheres)

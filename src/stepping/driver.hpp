@@ -14,6 +14,8 @@
 
 namespace carom::stepping {
 
+/// A number in a message.
+std::string text(double value);
 /// What is wrong with the options, empty if nothing.
 /// \param more_orders those that the method knows beside index, reverse, random and deepest
 std::string option_problem(const StepOptions& options, double until, std::span<const ContactOrder> more_orders);
@@ -21,6 +23,8 @@ std::string divergence_message(const Scene& scene, std::size_t sphere, double ti
 std::string limit_message(const char* what, double time, double until);
 /// The outcome from the state as it is.
 Outcome collect(const System& system, Outcome outcome);
+/// The outcome of a run that does not begin, and why.
+Outcome refuse(const System& system, std::string problem);
 
 /// Decides now and then whether a run goes on. Once it does not, it stays so.
 class Watch {
@@ -58,12 +62,9 @@ Outcome drive(const Scene& scene, const StepOptions& options, const RunOptions& 
               System& system, Stepper& stepper)
 {
     const double until = std::isnan(run.until) ? scene.end_time : run.until;
+    if (std::string problem = option_problem(options, until, more_orders_of<Stepper>()); !problem.empty())
+        return refuse(system, std::move(problem));
     Outcome outcome;
-    outcome.message = option_problem(options, until, more_orders_of<Stepper>());
-    if (!outcome.message.empty()) {
-        outcome.status = Status::unresolved;
-        return collect(system, outcome);
-    }
     const auto stop = [&](Status status, std::string message) {
         stepper.finish(system);
         outcome.status = status;

@@ -62,19 +62,54 @@ void FreeMotion::move_struck(Bodies& bodies, double h)
     }
 }
 
+void FreeMotion::kick_before(Bodies& bodies, double h)
+{
+    if (track_.is_wanted()) start_ = bodies.velocity;
+    change_velocities(bodies, gravity_, integrator_ == Integrator::euler ? h : h / 2);
+    if (track_.is_wanted()) free_ = bodies.velocity;
+}
+
+void FreeMotion::drift(Bodies& bodies, double h)
+{
+    if (track_.is_wanted()) remember_drift(bodies);
+    move_straight(bodies, h);
+}
+
+void FreeMotion::kick_after(Bodies& bodies, double h) const
+{
+    if (integrator_ == Integrator::parabola) change_velocities(bodies, gravity_, h / 2);
+}
+
+void FreeMotion::remember_drift(const Bodies& bodies)
+{
+    track_.clear(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const bool is_free = bodies.velocity[i] == free_[i] && bodies.inverse_mass[i] > 0;
+        Leg leg;
+        leg.position = bodies.position[i];
+        leg.velocity = start_[i];  // a rebound is at the end of the substep
+        leg.acceleration = is_free ? gravity_ : Vec3(Vec3::Zero());
+        const bool is_bent = integrator_ == Integrator::parabola;
+        leg.slope = is_bent && is_free ? leg.velocity : bodies.velocity[i];
+        leg.bend = is_bent ? leg.acceleration : Vec3(Vec3::Zero());
+        track_.begin(i, leg);
+    }
+}
+
 void FreeMotion::remember(const Bodies& bodies, double h, bool struck)
 {
     track_.clear(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec3& end = bodies.velocity[i];
-        // Impulses at the begin of the substep leave one velocity for all of it.
+        // Impulses at the begin of the substep leave one velocity for all of it; those of `move_struck` let a gap
+        // close, and the rebound is to come.
         const bool is_even = end != free_[i] && (struck || integrator_ == Integrator::euler);
         Leg leg;
         leg.position = bodies.position[i];
-        leg.velocity = is_even ? end : start_[i];
+        leg.velocity = is_even && !struck ? end : start_[i];
         leg.acceleration = is_even ? Vec3(Vec3::Zero()) : Vec3((end - start_[i]) / h);
         const bool is_bent = integrator_ == Integrator::parabola;
-        leg.slope = is_bent ? leg.velocity : end;
+        leg.slope = is_bent && !is_even ? start_[i] : end;
         leg.bend = is_bent ? leg.acceleration : Vec3(Vec3::Zero());
         track_.begin(i, leg);
     }

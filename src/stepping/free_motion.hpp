@@ -33,6 +33,14 @@ public:
     void move_pushed(Bodies& bodies, double h);
     void move_struck(Bodies& bodies, double h);
 
+    /// The form of a leapfrog, for contacts that act on the velocities with which a substep is made: kick_before,
+    /// change velocities, drift, kick_after. With Integrator::euler all of gravity comes before; with
+    /// Integrator::parabola half comes before and half after, so that the velocities in between are the mean ones and
+    /// flight is exact.
+    void kick_before(Bodies& bodies, double h);
+    void drift(Bodies& bodies, double h);
+    void kick_after(Bodies& bodies, double h) const;
+
     Integrator integrator() const { return integrator_; }
     const Vec3& gravity() const { return gravity_; }  ///< [length/time^2]
     SubstepTrack& track() { return track_; }
@@ -40,12 +48,13 @@ public:
 private:
     /// Remember how the spheres, which are still where the substep began, are about to move.
     void remember(const Bodies& bodies, double h, bool struck);
+    void remember_drift(const Bodies& bodies);
 
     Vec3 gravity_;
     Integrator integrator_;
     SubstepTrack track_;
-    std::vector<Vec3> start_;  ///< velocities before `accelerate`, for Integrator::parabola and the track
-    std::vector<Vec3> free_;   ///< velocities after it
+    std::vector<Vec3> start_;  ///< velocities before gravity, for Integrator::parabola and the track
+    std::vector<Vec3> free_;   ///< velocities after it, before contacts
 };
 
 }  // namespace carom::stepping

@@ -15,7 +15,7 @@ ImpactLog::ImpactLog(const Scene& scene, const Observer& observer, bool merge)
 
 void ImpactLog::add(const Contact& contact, const Impulse& impulse, double time)
 {
-    if (contact.b >= spheres_) plane_impulses_[static_cast<std::size_t>(contact.b - spheres_)] += impulse.normal;
+    press(contact, impulse.normal);
     if (!merge_) ++count_;
     if (!merge_ && !on_event_) return;
     const Event event{EventKind::impact, {0, time}, time, contact.a, contact.b, contact.normal, impulse.on_a};

@@ -18,7 +18,7 @@ public:
     ImpactLog(const Scene& scene, const Observer& observer, bool merge);
 
     void add(const Contact& contact, const Impulse& impulse, double time);
-    /// The impulse of a contact that rests, which is no impact: a plane feels it.
+    /// An impulse that is no event: of a contact that rests, or goes on. A plane feels it [mass length/time].
     void press(const Contact& contact, double impulse);
     /// End of a substep.
     void close();

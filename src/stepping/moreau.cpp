@@ -15,11 +15,16 @@
 /// 3. where some e = 0, overlaps at the new places: w >= -gap/h, p += h w, and again c+ >= 0.
 /// Contacts of 1 and 2 are those closed at the start, of 3 those without restitution that are closed at the end; beside
 /// them the others of 1 stay with w >= 0, c+ >= 0, so that no correction pushes them back.
+///
+/// With ContactOrder::shock each problem is followed by one pass from the ground up, level by level, with those below
+/// infinitely heavy (contact_levels.hpp): for what the sweeps left unsolved.
+#include "stepping/contact_levels.hpp"
 #include "stepping/contact_solver.hpp"
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <set>
 #include <tuple>
@@ -41,6 +46,8 @@ bool any_inelastic(const Scene& scene)
 
 class MoreauStepper {
 public:
+    static constexpr std::array more_orders{ContactOrder::shock};
+
     MoreauStepper(const Moreau& method, const Scene& scene) : sweeps_(method.sweeps), look_ahead_(any_inelastic(scene))
     {
     }
@@ -135,10 +142,26 @@ private:
     template <class LeastOf>
     void solve(System& system, LeastOf&& least_of)
     {
-        system.arranger.arrange(contacts_);
+        const bool propagates = system.arranger.order() == ContactOrder::shock;
+        if (propagates)
+            levels_.arrange(system.bodies, contacts_);
+        else
+            system.arranger.arrange(contacts_);
         rows_.clear();
         for (const Contact& c : contacts_) rows_.push_back({c, least_of(c), 0});
         solve_contacts(system.bodies, rows_, sweeps_, system.patience);
+        if (propagates) propagate(system);
+    }
+
+    /// What is still lacking is given from the ground up, at the cost of what is above.
+    void propagate(System& system)
+    {
+        levels_.propagate(system.bodies, [&](std::size_t begin, std::size_t end) {
+            level_rows_.clear();
+            for (std::size_t k = begin; k < end; ++k) level_rows_.push_back({rows_[k].contact, rows_[k].least, 0});
+            solve_contacts(system.bodies, level_rows_, sweeps_, system.patience);
+            for (std::size_t k = begin; k < end; ++k) rows_[k].impulse += level_rows_[k - begin].impulse;
+        });
     }
 
     /// The same, again with the contacts that appear at the end of the step until none does.
@@ -220,6 +243,8 @@ private:
     bool started_ = false;
     std::vector<Contact> contacts_;
     std::vector<ContactRow> rows_;
+    ContactLevels levels_;                ///< for ContactOrder::shock
+    std::vector<ContactRow> level_rows_;  ///< of one level
     using Pair = std::pair<BodyId, BodyId>;
     std::set<Pair> active_, active_before_;  ///< contacts that got an impulse in this step, in the one before
     std::vector<Vec3> before_, free_;        ///< velocities: at the start of the step, and before the last solution

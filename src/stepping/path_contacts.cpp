@@ -20,6 +20,7 @@ std::int64_t rank(System& system, BodyId a, BodyId b, double depth)
     switch (system.arranger.order()) {
         case ContactOrder::index:
         case ContactOrder::jacobi:
+        case ContactOrder::shock:
             return 0;
         case ContactOrder::reverse:
             return -((std::int64_t{a} << 31) + b);

@@ -28,5 +28,13 @@ Outcome run_stepping(const Scene& scene, const Moreau& method, const RunOptions&
 /// `passes` has no meaning here. Events carry the time of contact inside the substep; contacts that rest are none.
 Outcome run_stepping(const Scene& scene, const ImpactSubsteps& method, const RunOptions& options,
                      const Observer& observer);
+/// Neither `passes` nor `order` has a meaning here. An event is the begin of a contact, with the impulse of its first
+/// substep; `plane_impulses` have all. A stiffness whose springs would gain energy is refused: Status::unresolved.
+Outcome run_stepping(const Scene& scene, const Penalty& method, const RunOptions& options, const Observer& observer);
+/// `passes` has no meaning here. Events carry the end of the substep in which bodies met.
+Outcome run_stepping(const Scene& scene, const Speculative& method, const RunOptions& options,
+                     const Observer& observer);
+/// `passes` has no meaning here. Events carry the end of the step, `dt`, in which bodies met.
+Outcome run_stepping(const Scene& scene, const Soft& method, const RunOptions& options, const Observer& observer);
 
 }  // namespace carom

@@ -6,8 +6,14 @@
 /// from an elastic bounce keeps its energy to rounding. What gravity then adds against a closed contact is cancelled as
 /// a force that lasts the substep (FreeMotion::move_pushed). With Integrator::euler both act on the velocities that
 /// gravity has changed already, as the handout has it.
+///
+/// With ContactOrder::shock contacts are visited from the ground up, and what still approaches after all passes is
+/// cancelled once more, level by level, with those below infinitely heavy (contact_levels.hpp).
+#include "stepping/contact_levels.hpp"
 #include "stepping/driver.hpp"
 #include "stepping/stepping.hpp"
+
+#include <array>
 
 namespace carom {
 
@@ -17,6 +23,8 @@ using namespace stepping;
 
 class VelocityStepper {
 public:
+    static constexpr std::array more_orders{ContactOrder::shock};
+
     explicit VelocityStepper(const VelocityBased& method) : passes_(method.passes) {}
 
     void advance(System& system, const Substep& substep)
@@ -25,7 +33,7 @@ public:
         // The positions are those that the previous substep left. The first ones are the scene's, not the method's.
         if (started_) system.record(contacts_);
         started_ = true;
-        system.arranger.arrange(contacts_);
+        arrange(system);
         if (system.motion.integrator() == Integrator::parabola) {
             respond_in_passes(system, substep);
             system.motion.accelerate(system.bodies, substep.length);
@@ -34,6 +42,7 @@ public:
             system.motion.accelerate(system.bodies, substep.length);  // A
             respond_in_passes(system, substep);                       // B, C
         }
+        if (propagates(system)) propagate(system, substep);
         system.motion.move_pushed(system.bodies, substep.length);  // D
     }
 
@@ -52,6 +61,16 @@ private:
         system.detector.find_walls(system.bodies.position, system.bodies.radius, contacts_);
     }
 
+    static bool propagates(const System& system) { return system.arranger.order() == ContactOrder::shock; }
+
+    void arrange(System& system)
+    {
+        if (propagates(system))
+            levels_.arrange(system.bodies, contacts_);
+        else
+            system.arranger.arrange(contacts_);
+    }
+
     void respond_in_passes(System& system, const Substep& substep)
     {
         for (int pass = 0; pass < passes_ && may_go_on(system); ++pass) {
@@ -67,6 +86,15 @@ private:
 
     bool may_go_on(System& system) const { return !contacts_.empty() && system.patience.lasts_for(contacts_.size()); }
 
+    /// What still approaches is cancelled from the ground up, at the cost of what is above.
+    void propagate(System& system, const Substep& substep)
+    {
+        levels_.propagate(system.bodies, [&](std::size_t begin, std::size_t end) {
+            for (int pass = 0; pass < passes_ && may_go_on(system); ++pass)
+                for (std::size_t k = begin; k < end; ++k) cancel(system, contacts_[k], substep);
+        });
+    }
+
     /// Phase B: collisions, for contacts that approach.
     void bounce(System& system, const Substep& substep)
     {
@@ -79,14 +107,19 @@ private:
     /// left separating is not touched.
     void cancel(System& system, const Substep& substep)
     {
-        for (const Contact& c : contacts_)
-            if (normal_velocity(system.bodies, c) < 0)
-                system.impacts.add(c, cancel_normal(system.bodies, c), substep.begin);
+        for (const Contact& c : contacts_) cancel(system, c, substep);
+    }
+
+    static void cancel(System& system, const Contact& c, const Substep& substep)
+    {
+        if (normal_velocity(system.bodies, c) < 0)
+            system.impacts.add(c, cancel_normal(system.bodies, c), substep.begin);
     }
 
     int passes_;
     bool started_ = false;
     std::vector<Contact> contacts_;
+    ContactLevels levels_;  ///< for ContactOrder::shock
 };
 
 }  // namespace

@@ -25,8 +25,12 @@ struct Claims {
     bool exact = false;  ///< between two looks nothing happens unseen: energy under gravity (a step of Euler's keeps
                          ///< another energy), time reversal (which overlap a step sees depends on its direction), no
                          ///< tunnelling, any place bit for bit (cells, not coordinates)
-    bool no_overlap = false;  ///< no overlap is left at the end of a step. Others see it only when it is there
-    bool any_order = false;   ///< labels never matter; else only where no sphere has two contacts in a step
+    bool no_overlap = false;   ///< no overlap is left at the end of a step. Others see it only when it is there
+    bool any_order = false;    ///< labels never matter; else only where no sphere has two contacts in a step
+    bool looks_ahead = false;  ///< nothing passes through a thin plate, though time may be lost there
+    /// A contact lasts some steps, in which a spring holds kinetic energy back: it is less meanwhile, and what comes
+    /// back depends on the phase of the step in which the overlap is first seen.
+    bool is_soft = false;
 };
 
 /// Add a method here and nowhere else.
@@ -42,6 +46,9 @@ inline std::vector<Claims> methods()
         {"toi", ImpactSubsteps{steps}, true, false, true, true},
         {"naive", Naive{steps}, true},
         {"moreau", Moreau{steps}, true},
+        {"penalty", Penalty{steps}, false, false, false, true, false, true},
+        {"speculative", Speculative{steps}, true, false, true, false, true},
+        {"soft", Soft{steps}, true, false, false, false, true},
     };
 }
 
@@ -51,6 +58,7 @@ inline Method with_step_scaled(Method method, int exponent)
     std::visit(
         [&](auto& m) {
             if constexpr (std::is_base_of_v<StepOptions, std::decay_t<decltype(m)>>) m.dt = std::ldexp(m.dt, exponent);
+            if constexpr (std::is_same_v<std::decay_t<decltype(m)>, Soft>) m.hertz = std::ldexp(m.hertz, -exponent);
         },
         method);
     return method;

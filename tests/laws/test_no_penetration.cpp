@@ -68,7 +68,7 @@ TEST_CASE("law: bisection leaves no overlap at the end of a step; methods that r
         CHECK(outcome.counts.impacts > 50);
         if (claims.no_overlap)
             CHECK(outcome.max_penetration <= 16 * 0x1p-52 * side);
-        else
+        else if (!claims.looks_ahead)
             CHECK(outcome.max_penetration > 1e-4);
     }
 }
@@ -86,6 +86,6 @@ TEST_CASE("law: a very fast sphere between very thin plates passes none; steps d
         const double x = outcome.final[0].position.x();
         INFO(claims.label);
         CHECK((outcome.counts.impacts > 90000) == claims.exact);
-        CHECK((x > 0 && x < 1) == claims.exact);
+        CHECK((x > 0 && x < 1) == (claims.exact || claims.looks_ahead));
     }
 }

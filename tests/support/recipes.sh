@@ -86,12 +86,12 @@ discrete_method() {
     static constexpr std::string_view method_name = "dummy_method";
 };
 ' before
-    swap include/carom/method.hpp 'ImpactSubsteps>;' 'ImpactSubsteps, Dummy>;'
+    swap include/carom/method.hpp 'Speculative, Soft>;' 'Speculative, Soft, Dummy>;'
     edit src/stepping/stepping.hpp '}  // namespace carom' \
         'Outcome run_stepping(const Scene& scene, const Dummy& method, const RunOptions& options, const Observer& observer);
 ' before
     sed 's/Naive/Dummy/g' "$tree/src/stepping/naive.cpp" >"$tree/src/stepping/dummy.cpp"
-    swap scenes/scene.schema.json '"moreau", "toi"]' '"moreau", "toi", "dummy_method"]'
+    swap scenes/scene.schema.json '"speculative", "soft"]' '"speculative", "soft", "dummy_method"]'
 }
 
 # Everything sticks: the inelastic impact, whatever the restitutions.

@@ -180,11 +180,10 @@ TEST_CASE("what belongs to later versions is refused and not in the help", "[arg
 {
     std::string help = parse_arguments({"-h"}).out;
     for (const char* command : {"run", "compare", "stress", "scenes"}) help += parse_arguments({command, "-h"}).out;
-    for (const char* word : {"tunnel", "view", "export", "query", "--save-state", "--equilibrate", "penalty"}) {
+    for (const char* word : {"tunnel", "view", "export", "query", "--save-state", "--equilibrate"}) {
         CAPTURE(word);
         CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
         const bool option = word[0] == '-';
-        if (std::string(word) == "penalty") continue;
         const ParseResult result = parse_arguments(option ? std::vector<std::string>{"run", "ball", word}
                                                           : std::vector<std::string>{word, "ball"});
         CHECK(result.exit_code == exit_usage);
@@ -308,6 +307,31 @@ TEST_CASE("a run's method takes its step from the options", "[choices]")
     CHECK(name(run_settings({}, {}, scene_with({}), "").method) == "event");
 }
 
+TEST_CASE("options of one method set it, from the command line and from the scene, and say when they have no effect",
+          "[choices]")
+{
+    RunArguments args;
+    args.given = {{"method", "soft"}, {"hertz", "60"}, {"damping_ratio", "1/2"}};
+    const Method soft = run_settings(args, {}, scene_with({}), "ball.json").method;
+    REQUIRE(std::holds_alternative<Soft>(soft));
+    CHECK(std::get<Soft>(soft).hertz == 60);
+    CHECK(std::get<Soft>(soft).damping_ratio == 0.5);
+    CHECK(ignored_options(args.given, soft).empty());
+
+    Scene scene = scene_with({});
+    scene.run = {{"method", std::string("penalty")}, {"stiffness", 1e4}};
+    const Method penalty = run_settings({}, {}, scene, "ball.json").method;
+    CHECK(std::get<Penalty>(penalty).stiffness == 1e4);
+    scene.run.erase("stiffness");
+    CHECK_FALSE(std::get<Penalty>(run_settings({}, {}, scene, "ball.json").method).stiffness.has_value());
+    const std::vector<std::string> notes = ignored_options(args.given, penalty);
+    REQUIRE(notes.size() == 2);
+    CHECK(notes[0] == "--hertz has no effect: it is for --method soft");
+    CHECK(notes[1] == "--damping-ratio has no effect: it is for --method soft");
+    args.given["hertz"] = "0";
+    CHECK_THROWS_AS(run_settings(args, {}, scene_with({}), "ball.json"), UsageError);
+}
+
 TEST_CASE("a wrong value is a usage error if typed and a scene error if written in the scene", "[choices]")
 {
     const std::vector<std::pair<std::string, std::string>> wrong{{"dt", "0"},
@@ -316,7 +340,6 @@ TEST_CASE("a wrong value is a usage error if typed and a scene error if written 
                                                                  {"order", "best"},
                                                                  {"until", "-1"},
                                                                  {"methods", "event,magic"},
-                                                                 {"methods", "penalty"},
                                                                  {"repeats", "0.5"}};
     for (const auto& [key, text] : wrong) {
         CAPTURE(key, text);
@@ -338,6 +361,16 @@ TEST_CASE("a wrong value is a usage error if typed and a scene error if written 
         Contains("/compare/dt: 0 in \"1/60,0\" must be > 0"));
 }
 
+TEST_CASE("the impacts that a sphere may have in a substep are an option of toi", "[choices]")
+{
+    RunArguments args;
+    args.given = {{"method", "toi"}, {"most_impacts", "7"}};
+    const Method method = run_settings(args, {}, scene_with({}), "ball.json").method;
+    CHECK(std::get<ImpactSubsteps>(method).most_impacts == 7);
+    args.given["most_impacts"] = "0";
+    CHECK_THROWS_WITH(run_settings(args, {}, scene_with({}), "ball.json"), Contains("--most-impacts: "));
+}
+
 TEST_CASE("an integrator that does not exist is refused with those that do", "[choices]")
 {
     RunArguments args;
@@ -352,6 +385,8 @@ TEST_CASE("options without an effect are noted", "[notes]")
 {
     const Method pbd = make_method("pbd", {}), velocity = make_method("velocity", {}), event = EventDriven{};
     CHECK(ignored_options({{"until", "1"}, {"dt", "0.1"}, {"literal", "true"}}, pbd).empty());
+    CHECK(ignored_options({{"most_impacts", "3"}}, make_method("toi", {})).empty());
+    CHECK_THAT(ignored_options({{"most_impacts", "3"}}, pbd).front(), Contains("--most-impacts has no effect"));
     REQUIRE(ignored_options({{"dt", "0.1"}}, event).size() == 1);
     CHECK_THAT(ignored_options({{"dt", "0.1"}}, event).front(), Contains("--dt has no effect: event takes no steps"));
     CHECK(ignored_options({{"dt", "0.1"}, {"kernel", "general"}, {"literal", "true"}}, velocity).size() == 2);

@@ -120,7 +120,6 @@ TEST_CASE("what a later version will read is refused as not yet supported, at it
          "/fill/0/pattern"},
         {R"("fill": [{"pattern": "line", "count": 4, "radius": 0.1, "temperature": 1}])", "/fill/0/temperature"},
         {R"("run": {"equilibrate": 1})", "/run/equilibrate"},
-        {R"("compare": {"methods": ["penalty"]})", "/compare/methods/0"},
     };
     for (const auto& [members, pointer] : later) {
         INFO(members);

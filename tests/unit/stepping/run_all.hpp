@@ -59,4 +59,20 @@ inline std::vector<Method> all_serious(const StepOptions& options)
     return methods;
 }
 
+/// Those of them whose contacts are over within a step. The springs of penalty take ten.
+inline std::vector<Method> all_impulsive(const StepOptions& options)
+{
+    std::vector<Method> methods;
+    for (const Method& method : all_serious(options))
+        if (!std::holds_alternative<Penalty>(method)) methods.push_back(method);
+    return methods;
+}
+
+/// Whether it looks along the paths of a step, so that nothing passes through anything thin.
+inline bool looks_ahead(const Method& method)
+{
+    return std::holds_alternative<ImpactSubsteps>(method) || std::holds_alternative<Speculative>(method) ||
+           std::holds_alternative<Soft>(method);
+}
+
 }  // namespace carom::test

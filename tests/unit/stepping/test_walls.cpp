@@ -52,7 +52,8 @@ TEST_CASE("Penetration is recorded at the end of the substep before correction",
     // dt = 0.1: positions 0.35, 0.05 (0.05 deep), then out at 1.5 a unit time.
     for (const Method& method : all_discrete(steps(0.1))) {
         CAPTURE(name(method));
-        const bool is_inside = name(method) == "bisection" || name(method) == "toi";
+        if (name(method) == "penalty") continue;  // deeper for some more steps
+        const bool is_inside = name(method) == "bisection" || looks_ahead(method);
         const Outcome one = run_discrete(thrown_at_wall(), method, until(0.1));
         CHECK(one.max_penetration == Approx(is_inside ? 0 : 0.05).margin(1e-14));
         CHECK(run_discrete(thrown_at_wall(), method, until(0.3)).max_penetration == Approx(one.max_penetration));
@@ -61,7 +62,7 @@ TEST_CASE("Penetration is recorded at the end of the substep before correction",
 
 TEST_CASE("A bounce is one impact, and its impulse is in the event and on the plane", "[stepping]")
 {
-    for (const Method& method : all_serious(steps(0.1))) {
+    for (const Method& method : all_impulsive(steps(0.1))) {
         CAPTURE(name(method));
         std::vector<Event> events;
         Observer observer;
