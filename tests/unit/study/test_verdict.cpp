@@ -108,8 +108,8 @@ TEST_CASE("impacts that come too early or late are not lost, and what the audit 
     late.invented_impacts = 29;
     late.audit = Audit{263, 182, 0, 0, 81, 12, 0, 0, 0.5};
     CHECK(sentence(comparison({event_row(0, 1e-5), late}), 1) ==
-          "pbd: the only step tried, dt = 1e-4, keeps within a position error of 1 mm; it costs 1 times the event run, "
-          "asked impact by impact it answers with a wrong velocity 30.8 % (25.5-36.6).");
+          "pbd: the only step tried, dt = 1e-4, keeps within a position error of 1 mm; it costs 1 times the event run; "
+          "asked impact by impact, it answers with a wrong velocity 30.8 % (25.5-36.6).");
     late.mistimed_impacts = 19;
     CHECK_THAT(sentence(comparison({event_row(0, 1e-5), late}), 1),
                Contains("without missing an impact") && Contains("misses 1 of 35"));
