@@ -72,7 +72,8 @@ std::string convergence_sentence(const VerdictWords& words)
     }
     std::string text;
     if (!falls.empty()) text = "Errors fall with the step: " + falls + ".";
-    if (!stalls.empty()) text += (text.empty() ? "" : " ") + ("Errors stall, whatever the step: " + stalls + ".");
+    if (!stalls.empty())
+        text += (text.empty() ? "" : " ") + ("Errors no longer fall with smaller steps: " + stalls + ".");
     return text;
 }
 
