@@ -65,7 +65,8 @@ RowImpacts::RowImpacts(const RowTask& task)
 
 bool RowImpacts::is_slow(const Event& event) const
 {
-    return is_event() && -gap_rate_before(task_.scene, task_.truth, event.normal, event.a, event.b, event.time) < v_c_;
+    return is_event() && event.time <= task_.truth.until &&
+           -gap_rate_before(task_.scene, task_.truth, event.normal, event.a, event.b, event.time) < v_c_;
 }
 
 void RowImpacts::add(const Event& event, double horizon)
