@@ -6,6 +6,7 @@
 #include "stepping/contact_order.hpp"
 
 #include <bit>
+#include <cmath>
 #include <compare>
 #include <cstdint>
 
@@ -57,9 +58,9 @@ private:
     /// Bit patterns that are ordered like the values.
     static std::uint64_t order_of_bits(double value)
     {
-        constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-        const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);  // one zero
-        return (bits & sign) != 0 ? ~bits : bits | sign;
+        value += 0.0;  // one zero
+        const auto bits = std::bit_cast<std::uint64_t>(value);
+        return std::signbit(value) ? ~bits : bits | std::bit_cast<std::uint64_t>(-0.0);
     }
 
     ContactOrder order_;

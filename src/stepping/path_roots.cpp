@@ -1,7 +1,9 @@
 #include "stepping/path_roots.hpp"
 
 #include "stepping/bracket.hpp"
+#include "stepping/tolerances.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,6 +27,17 @@ struct Times {
 
     void add(double t) { at[count++] = t; }
 };
+
+/// Whether a polynomial has one sign from 0 to this end for certain, by its constant and the most that the rest can do
+/// against it.
+bool keeps_sign(const Cubic& c, double end)
+{
+    const double sign = c[0] < 0 ? -1 : 1;
+    double least = std::abs(c[0]);
+    double power = end;
+    for (std::size_t k = 1; k < c.size(); ++k, power *= end) least += std::min(0.0, sign * c[k]) * power;
+    return least > 0;
+}
 
 /// Where a polynomial of this degree changes its sign in (0, end): one bracket between any two neighbouring roots of
 /// its derivative.
@@ -68,8 +81,20 @@ Times turns_of_gap(System& system, const PathContacts& contacts, BodyId a, BodyI
     acceleration -= paths.bend(b);
     const Cubic rate{between.dot(velocity), velocity.squaredNorm() + between.dot(acceleration),
                      1.5 * velocity.dot(acceleration), acceleration.squaredNorm() / 2};
+    if (keeps_sign(rate, left)) return {};
     const std::size_t degree = rate[3] != 0 ? 3 : rate[1] != 0 ? 1 : 0;
     return sign_changes(rate, degree, left, system.detector.tests);
+}
+
+/// Whether two spheres are too far apart for their speeds to meet in the rest of the substep.
+bool are_too_far(const System& system, const PathContacts& contacts, BodyId a, BodyId b, double now)
+{
+    const StepPaths& paths = contacts.paths;
+    const double left = paths.length() - now;
+    const Vec3 velocity = paths.velocity(system.bodies, a, now) - paths.velocity(system.bodies, b, now);
+    const Vec3 acceleration = paths.bend(a) - paths.bend(b);
+    const double reach = (std::sqrt(velocity.squaredNorm()) + std::sqrt(acceleration.squaredNorm()) * left / 2) * left;
+    return contacts.gap_at(system, a, b, now).value > reach * (1 + cell_slack);
 }
 
 /// The half-space that a sphere at p sees of a wall: what is fast would be beyond a plate at the next look.
@@ -86,6 +111,7 @@ std::optional<double> first_contact(System& system, const PathContacts& contacts
 {
     const double end = contacts.paths.length();
     const bool at_wall = system.detector.is_wall(b);
+    if (!at_wall && are_too_far(system, contacts, a, b, now)) return {};
     const Wall side =
         at_wall ? side_towards(system.detector.wall(b), contacts.paths.place(system.bodies, a, now)) : Wall{};
     const auto gap = [&](double t) {

@@ -48,7 +48,7 @@ double speed_of_rest(const Bodies& bodies, const Contact& contact, double g)
 
 void RestingContacts::add(const System& system, BodyId a, BodyId b)
 {
-    if (!forces_.emplace(Pair(a, b), 0).second) return;
+    if (!forces_.emplace(BodyPair(a, b), 0).second) return;
     partners_[index(a)].push_back(b);
     if (!system.detector.is_wall(b)) partners_[index(b)].push_back(a);
 }
@@ -60,17 +60,37 @@ void RestingContacts::remove(const System& system, BodyId a, BodyId b)
     if (!system.detector.is_wall(b)) std::erase(partners_[index(b)], a);
 }
 
-void RestingContacts::support_all(System& system, StepPaths& paths, double h)
+void RestingContacts::separate(System& system, const std::set<BodyPair>& closed) const
 {
+    std::set<BodyPair> pairs = closed;
+    for (const auto& [pair, force] : forces_) pairs.insert(pair);
+    std::vector<ContactRow> rows;
+    bool any_overlaps = false;
+    for (const auto& [a, b] : pairs) {
+        const Contact c = contact_of(system, a, b);
+        rows.push_back({c, -c.gap, 0});
+        any_overlaps = any_overlaps || c.gap < 0;
+    }
+    if (!any_overlaps) return;
+    // The solver works on velocities; here they are displacements.
+    std::vector<Vec3> displacement(system.bodies.size(), Vec3::Zero());
+    displacement.swap(system.bodies.velocity);
+    solve_contacts(system.bodies, rows, support_sweeps, system.patience);
+    displacement.swap(system.bodies.velocity);
+    for (std::size_t i = 0; i < system.bodies.size(); ++i) system.bodies.position[i] += displacement[i];
+}
+
+void RestingContacts::support_all(System& system, StepPaths& paths, double h, const std::set<BodyPair>& closed)
+{
+    separate(system, closed);
     paths.fall(system.bodies, system.motion);
     if (forces_.empty()) return;
     const double g = std::sqrt(system.motion.gravity().squaredNorm());
     std::vector<ContactRow> rows;
     for (const auto& [pair, force] : std::map(forces_)) {
         const Contact c = contact_of(system, pair.first, pair.second);
-        const double rate = normal_velocity(system.bodies, c);
-        const double least_radius = system.bodies.radius[index(c.a)];
-        if (c.gap > open_contact * least_radius || rate < -h * g || rate > opening_share * h * g)
+        if (c.gap > open_contact * system.bodies.radius[index(c.a)] ||
+            normal_velocity(system.bodies, c) > opening_share * h * g)
             remove(system, c.a, c.b);
         else
             rows.push_back({c, 0, 0});
@@ -112,7 +132,7 @@ void RestingContacts::support(System& system, StepPaths& paths, std::span<const 
         local.inverse_mass.push_back(inverse_mass);
         return static_cast<BodyId>(ids.size() - 1);
     };
-    std::set<std::pair<BodyId, BodyId>> pairs;
+    std::set<BodyPair> pairs;
     for (const BodyId i : spheres) {
         local_id(i, true);
         for (const BodyId j : of(i)) pairs.emplace(std::min(i, j), std::max(i, j));

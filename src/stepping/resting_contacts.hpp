@@ -6,15 +6,18 @@
 #include "stepping/system.hpp"
 
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace carom::stepping {
 
+using BodyPair = std::pair<BodyId, BodyId>;  ///< the smaller id first, planes last
+
 /// They act on accelerations: what presses a sphere against its partner is taken away, the rest goes on, so that a ball
 /// at rest stays and one that slides on a plane does so on an exact parabola. (Between spheres the gap is kept to
-/// second order in the step.) What still closes in them slower than gravity makes it in a substep does not rebound.
+/// second order in the step.) What still closes in them does not rebound.
 class RestingContacts {
 public:
     explicit RestingContacts(std::size_t spheres) : partners_(spheres) {}
@@ -31,18 +34,20 @@ public:
     void add(const System& system, BodyId a, BodyId b);
     void remove(const System& system, BodyId a, BodyId b);
 
-    /// At the begin of a substep of length h: forgets what has come apart or is not pressed any more, stops what closes
-    /// in the others, and gives all spheres the accelerations with which they stay closed.
-    void support_all(System& system, StepPaths& paths, double h);
+    /// At the begin of a substep of length h: forgets what has come apart or is not pressed any more, takes overlap and
+    /// closing speed from the others, and gives all spheres the accelerations with which they stay closed.
+    /// \param closed other contacts that the substep before left overlapping
+    void support_all(System& system, StepPaths& paths, double h, const std::set<BodyPair>& closed);
     /// Within a substep: accelerations for these spheres, while all others keep theirs. \pre all have states of one
     /// moment, to first order
     void support(System& system, StepPaths& paths, std::span<const BodyId> spheres) const;
 
 private:
-    using Pair = std::pair<BodyId, BodyId>;
+    /// Moves spheres apart that overlap in resting contacts or those of `closed`, by the least that does it.
+    void separate(System& system, const std::set<BodyPair>& closed) const;
 
     std::vector<std::vector<BodyId>> partners_;
-    std::map<Pair, double>
+    std::map<BodyPair, double>
         forces_;  ///< a < b; of the last substep, from which the next ones are found [mass length/time^2]
 };
 

@@ -3,23 +3,11 @@
 /// the method's own paths, respond there, go on with the rest of the step. (Conservative advancement and its kin in
 /// Bullet, Box2D, Jolt and Rapier do this once or a few times a step, with what is left of the step lost; here nothing
 /// is.)
-///
-/// A sphere has at most `most_impacts` responses in a substep. Bounces come to rest in two ways: a rebound that rises
-/// no higher than the rounding of its place is none, and a contact of a sphere whose responses are used up closes
-/// without rebound. Both then rest (RestingContacts) until something parts them.
+#include "stepping/corner_stepper.hpp"
 #include "stepping/driver.hpp"
-#include "stepping/path_contacts.hpp"
 #include "stepping/path_roots.hpp"
-#include "stepping/resting_contacts.hpp"
 #include "stepping/stepping.hpp"
 #include "stepping/swept_spheres.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <span>
-#include <utility>
-#include <vector>
 
 namespace carom {
 
@@ -27,174 +15,38 @@ namespace {
 
 using namespace stepping;
 
-class ImpactStepper {
+class RootSearch {
 public:
-    ImpactStepper(const ImpactSubsteps& method, const Scene& scene)
-        : most_impacts_(method.most_impacts),
-          contacts_(scene.spheres.size()),
-          swept_(scene),
-          resting_(scene.spheres.size()),
-          impacts_(scene.spheres.size())
+    explicit RootSearch(const Scene& scene) : swept_(scene) {}
+
+    void begin(System& system, const PathContacts& contacts) { swept_.begin(system, contacts.paths); }
+    void change(System& system, const PathContacts& contacts, BodyId i, double now, const Vec3&)
     {
+        swept_.change(system, contacts.paths, i, now);
     }
 
-    void advance(System& system, const Substep& substep)
+    template <class OnPair>
+    void for_each_pair(System& system, const PathContacts&, OnPair&& on_pair) const
     {
-        begin(system, substep);
-        while (!contacts_.is_empty() && system.patience.lasts_for(1)) {
-            const Pending next = contacts_.pop();
-            if (!contacts_.is_stale(system, next)) carry_out(system, substep, next);
-        }
-        end(system);
+        swept_.for_each_pair(system, on_pair);
+    }
+    template <class OnPartner>
+    void for_each_partner(System& system, const PathContacts&, BodyId i, OnPartner&& on_partner) const
+    {
+        swept_.for_each_partner(system, i, on_partner);
+    }
+    bool may_meet(const System& system, const PathContacts&, BodyId sphere, BodyId wall) const
+    {
+        return swept_.may_meet(system.detector.wall(wall), sphere);
     }
 
-    void finish(System&) {}
+    std::optional<double> first(System& system, const PathContacts& contacts, BodyId a, BodyId b, double now) const
+    {
+        return first_contact(system, contacts, a, b, now);
+    }
 
 private:
-    static std::size_t index(BodyId body) { return static_cast<std::size_t>(body); }
-
-    void begin(System& system, const Substep& substep)
-    {
-        contacts_.forget_all();
-        closed_.clear();
-        loosened_.clear();
-        std::fill(impacts_.begin(), impacts_.end(), 0);
-        resting_.support_all(system, contacts_.paths, substep.length);
-        contacts_.paths.begin(system.bodies, system.motion, substep.length);
-        swept_.begin(system, contacts_.paths);
-        swept_.for_each_pair(system, [&](BodyId a, BodyId b) { look(system, a, b, 0); });
-        for (std::size_t i = 0; i < system.bodies.size(); ++i) look_at_walls(system, static_cast<BodyId>(i), 0);
-    }
-
-    void end(System& system)
-    {
-        const auto record = [&](BodyId a, BodyId b) {
-            system.max_penetration = std::max(system.max_penetration, -contacts_.gap_at_targets(system, a, b).value);
-        };
-        for (const auto& [a, b] : closed_) record(a, b);
-        resting_.for_each(record);
-        contacts_.paths.end(system.bodies);
-    }
-
-    void look(System& system, BodyId a, BodyId b, double now)
-    {
-        if (resting_.has(a, b)) return;
-        if (system.detector.is_fixed(index(a)) && system.detector.is_fixed(index(b))) return;
-        if (const auto time = first_contact(system, contacts_, a, b, now))
-            contacts_.foresee(system, a, b, *time, contacts_.gap_at_targets(system, a, b).value);
-    }
-
-    void look_at_walls(System& system, BodyId i, double now)
-    {
-        if (system.detector.is_fixed(index(i))) return;
-        const auto first = static_cast<BodyId>(system.bodies.size());
-        for (std::size_t w = 0; w < system.detector.walls(); ++w) {
-            const BodyId b = first + static_cast<BodyId>(w);
-            ++system.detector.tests;
-            if (swept_.may_meet(system.detector.wall(b), i) && !resting_.has(i, b)) {
-                if (const auto time = first_contact(system, contacts_, i, b, now))
-                    contacts_.foresee(system, i, b, *time, contacts_.gap_at_targets(system, i, b).value);
-            }
-        }
-    }
-
-    /// Acceleration of a towards b without the contact, positive if they press [length/time^2].
-    double pressing(const System& system, const Contact& c) const
-    {
-        const Vec3 a = contacts_.paths.bend(c.a);
-        return -(system.detector.is_wall(c.b) ? a : Vec3(a - contacts_.paths.bend(c.b))).dot(c.normal);
-    }
-
-    void carry_out(System& system, const Substep& substep, const Pending& next)
-    {
-        const bool pair = !system.detector.is_wall(next.b);
-        const Gap gap = contacts_.gap_at(system, next.a, next.b, next.time);
-        const Contact contact{gap.value, next.a, next.b, gap.normal};
-        const double press = pressing(system, contact);
-        const double rest = press > 0 ? speed_of_rest(system.bodies, contact, press) : 0;
-        const double rate = contacts_.gap_rate(system, next.a, next.b, gap.normal, next.time);
-        if (rate > rest || (rate >= 0 && press <= 0)) return;
-        const bool is_spent =
-            impacts_[index(next.a)] >= most_impacts_ || (pair && impacts_[index(next.b)] >= most_impacts_);
-        if (is_spent && closed_.contains({next.a, next.b})) return;  // it has been closed in this substep already
-        contacts_.stop(system, next.a, next.b, next.time);
-        // What rested and is pushed on by a neighbour slower than gravity would push it does not rebound.
-        const double g = std::sqrt(system.motion.gravity().squaredNorm());
-        const bool is_pushed = loosened_.contains({next.a, next.b}) && rate > -substep.length * g;
-        const bool rebounds = !is_spent && !is_pushed && rate < -rest;
-        Impulse impulse;
-        if (rebounds) impulse = respond(system.bodies, system.laws, contact);
-        const bool rests = is_spent || is_pushed || (press > 0 && normal_velocity(system.bodies, contact) <= rest);
-        if (rests) {
-            const Impulse last = cancel_normal(system.bodies, contact);
-            impulse.on_a += last.on_a;
-            impulse.normal += last.normal;
-            resting_.add(system, next.a, next.b);
-        }
-        if (is_pushed)
-            system.impacts.press(contact, impulse.normal);
-        else if (rate < -rest)
-            system.impacts.add(contact, impulse, substep.begin + next.time);
-        closed_.emplace(next.a, next.b);
-        ++impacts_[index(next.a)];
-        if (pair) ++impacts_[index(next.b)];
-        go_on(system, contact, next.time);
-    }
-
-    /// Other paths for two that have been stopped, and for those that rested on one of them and do not any more.
-    void go_on(System& system, const Contact& contact, double now)
-    {
-        std::vector<BodyId> two{contact.a};
-        if (!system.detector.is_wall(contact.b)) two.push_back(contact.b);
-        std::vector<BodyId> freed;
-        for (const BodyId i : two) part(system, i, now, freed);
-        for (const BodyId i : two) std::erase(freed, i);
-        for (const BodyId i : freed) {
-            contacts_.paths.stop_at(system.bodies, i, now);
-            resting_.support(system, contacts_.paths, std::span(&i, 1));
-        }
-        resting_.support(system, contacts_.paths, two);
-        two.insert(two.end(), freed.begin(), freed.end());
-        for (const BodyId i : two) {
-            contacts_.paths.go_on(system.bodies, system.motion, i);
-            swept_.change(system, contacts_.paths, i, now);
-        }
-        for (const BodyId i : two) look_again(system, i, now);
-    }
-
-    /// Ends the rest of a sphere in the contacts whose gaps change now. \param freed gets the other spheres of them
-    void part(System& system, BodyId i, double now, std::vector<BodyId>& freed)
-    {
-        const double g = std::sqrt(system.motion.gravity().squaredNorm());
-        for (const BodyId partner : std::vector<BodyId>(resting_.of(i))) {
-            const BodyId a = std::min(i, partner), b = std::max(i, partner);
-            const Gap gap = contacts_.gap_at(system, a, b, now);
-            const double rest = speed_of_rest(system.bodies, {gap.value, a, b, gap.normal}, g);
-            if (std::abs(contacts_.gap_rate(system, a, b, gap.normal, now)) <= rest) continue;
-            resting_.remove(system, a, b);
-            loosened_.emplace(a, b);
-            if (!system.detector.is_wall(partner)) freed.push_back(partner);
-        }
-    }
-
-    void look_again(System& system, BodyId i, double now)
-    {
-        partners_.clear();
-        swept_.for_each_partner(system, i, [&](BodyId j) { partners_.push_back(j); });
-        std::sort(partners_.begin(), partners_.end());  // the order of finding must not matter
-        for (const BodyId j : partners_) look(system, std::min(i, j), std::max(i, j), now);
-        look_at_walls(system, i, now);
-    }
-
-    int most_impacts_;
-    PathContacts contacts_;
     SweptSpheres swept_;
-    RestingContacts resting_;
-    std::vector<int> impacts_;  ///< of each sphere in this substep
-    std::vector<BodyId> partners_;
-    using Pairs = std::set<std::pair<BodyId, BodyId>>;
-    Pairs closed_;    ///< those that got a response in this substep
-    Pairs loosened_;  ///< those that rested in this substep until a neighbour moved one of them
 };
 
 }  // namespace
@@ -209,7 +61,7 @@ Outcome run_stepping(const Scene& scene, const ImpactSubsteps& method, const Run
         outcome.message = "most_impacts must be at least 1, is " + std::to_string(method.most_impacts);
         return collect(system, outcome);
     }
-    ImpactStepper stepper(method, scene);
+    CornerStepper<RootSearch> stepper(scene, method.most_impacts);
     return drive(scene, method, options, observer, system, stepper);
 }
 

@@ -24,11 +24,6 @@ inline constexpr double solved_contacts = 1e-13;
 
 /// Halvings [1] of a bracket: lo and hi are neighbours then, unless lo is many orders below hi.
 inline constexpr int most_halvings = 64;
-/// Responses in a substep of bisection [1] for each scene: where bounces accumulate a substep would not end.
-inline constexpr std::int64_t most_responses = 100;
-/// Responses in a substep of bisection for each sphere [1], beside `most_responses`.
-inline constexpr std::int64_t most_responses_a_sphere = 10;
-
 /// Height of a rebound [largest coordinate of the place] that is none: four roundings, of the three sums in n.p - d - r
 /// and of p.
 inline constexpr double rounding_of_place = 4 * 0x1p-52;
@@ -38,9 +33,9 @@ inline constexpr double open_contact = 1e-9;
 /// Speed at which a resting contact opens [what gravity gives in a substep]: with it a sphere rises to a
 /// millionth of the height that it falls in a substep.
 inline constexpr double opening_share = 1e-3;
-/// Sweeps [1] over resting contacts for their forces, at most: a column of 8 has its forces to 1e-13 then, higher ones
-/// get there in the next substeps, which begin with the forces found.
-inline constexpr int support_sweeps = 800;
+/// Sweeps [1] over resting contacts, at most: a column of 5 has its forces to 2.5e-4 then, as Gauss-Seidel carries a
+/// force by one contact in a sweep, and to rounding after three substeps, which begin with the forces found.
+inline constexpr int support_sweeps = 100;
 
 /// Place [cells from the home of a grid] beyond which spheres are handled one by one: below it the rounding of position
 /// / edge, two of u 2^30, stays under 2.4e-7 of a cell, less than `cell_slack`, and cell numbers fit 32 bits.

@@ -338,6 +338,16 @@ TEST_CASE("a wrong value is a usage error if typed and a scene error if written 
         Contains("/compare/dt: 0 in \"1/60,0\" must be > 0"));
 }
 
+TEST_CASE("the impacts that a sphere may have in a substep are an option of toi", "[choices]")
+{
+    RunArguments args;
+    args.given = {{"method", "toi"}, {"most_impacts", "7"}};
+    const Method method = run_settings(args, {}, scene_with({}), "ball.json").method;
+    CHECK(std::get<ImpactSubsteps>(method).most_impacts == 7);
+    args.given["most_impacts"] = "0";
+    CHECK_THROWS_WITH(run_settings(args, {}, scene_with({}), "ball.json"), Contains("--most-impacts: "));
+}
+
 TEST_CASE("an integrator that does not exist is refused with those that do", "[choices]")
 {
     RunArguments args;
@@ -352,6 +362,8 @@ TEST_CASE("options without an effect are noted", "[notes]")
 {
     const Method pbd = make_method("pbd", {}), velocity = make_method("velocity", {}), event = EventDriven{};
     CHECK(ignored_options({{"until", "1"}, {"dt", "0.1"}, {"literal", "true"}}, pbd).empty());
+    CHECK(ignored_options({{"most_impacts", "3"}}, make_method("toi", {})).empty());
+    CHECK_THAT(ignored_options({{"most_impacts", "3"}}, pbd).front(), Contains("--most-impacts has no effect"));
     REQUIRE(ignored_options({{"dt", "0.1"}}, event).size() == 1);
     CHECK_THAT(ignored_options({{"dt", "0.1"}}, event).front(), Contains("--dt has no effect: event takes no steps"));
     CHECK(ignored_options({{"dt", "0.1"}, {"kernel", "general"}, {"literal", "true"}}, velocity).size() == 2);

@@ -105,7 +105,7 @@ TEST_CASE("Bisection ends even where bounces accumulate within a step", "[steppi
     const Outcome stuck = run_discrete(caught, Bisection{steps(0.1)}, until(1));
     CHECK(stuck.status == Status::reached_end);
     CHECK(stuck.counts.impacts <= 10 * (100 + 10 + 2));
-    CHECK(stuck.counts.impacts > 100);
+    CHECK(stuck.counts.impacts >= 100);
     CHECK(stuck.max_penetration >= 0.005);
     caught.spheres[0].position.z() = 0.1;
     caught.planes[1].offset = -0.2 - 1e-12;
