@@ -130,6 +130,15 @@ TEST_CASE("a stepper that is within the tolerance at less cost wins, if that is 
     CHECK_THAT(sentence(comparison({event, step}), 0), Catch::Matchers::StartsWith("Use event: it is off"));
 }
 
+TEST_CASE("what is exact to rounding is not called better than what is, too, but told with its price", "[verdict]")
+{
+    const Comparison c = comparison({event_row(2e-15, 1e-5), step_row("toi", 0.25, 1e-15, 1.2e-5)});
+    CHECK(
+        sentence(c, 0) ==
+        "Use event: it is off by at most 2e-15 m and takes 10 us of CPU; the cheapest stepper within 1 mm, toi at dt = "
+        "1/4, costs 1.2 times the event run.");
+}
+
 TEST_CASE("the event method's own faults are told apart", "[verdict]")
 {
     CompareRow event = event_row(1e-6, 1e-5);

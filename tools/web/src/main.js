@@ -30,7 +30,7 @@ function referenceLine({ reference, until, units, rows, tolerance }) {
   const parts = [`${rows.length} ${rows.length === 1 ? "run" : "runs"}`];
   const time = (t) => formatQuantity(t, units.time ?? "", 5);
   const short = isNumber(reference.until) && isNumber(until) && reference.until < until;
-  if (isNumber(until)) parts.push(short ? `run to t = ${time(until)}, compared up to t = ${time(reference.until)}` : `compared up to t = ${time(until)}`);
+  if (isNumber(until)) parts.push(short ? `asked for up to t = ${time(until)}, compared up to t = ${time(reference.until)}` : `compared up to t = ${time(until)}`);
   if (isNumber(tolerance)) parts.push(`tolerance: position error ${formatQuantity(tolerance, units.length ?? "")}`);
   if (reference.kind) parts.push(`reference: ${KINDS[reference.kind] ?? reference.kind}${reference.bound > 0 ? `, off by ${formatNumber(reference.bound, 2)}${unit} at most` : ""}`);
   if (reference.reason) parts.push(`the reference ends there: ${reference.reason}`);
