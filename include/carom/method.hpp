@@ -40,8 +40,12 @@ inline constexpr std::array<std::string_view, 6> contact_order_names{"index",   
 enum class Integrator : std::uint8_t { euler, parabola };
 inline constexpr std::array<std::string_view, 2> integrator_names{"euler", "parabola"};
 
-/// Options of all discrete methods.
+/// Options of all discrete methods. What a method reads of `passes` and `order` it says itself; most read no passes,
+/// and of the orders index, reverse, random and deepest.
 struct StepOptions {
+    static constexpr bool reads_passes = false, reads_order = true;
+    static constexpr std::array<ContactOrder, 0> more_orders{};  ///< beyond those four
+
     double dt = 1.0 / 240;  ///< > 0 [time]; the last step is shortened to end the run on time
     int substeps = 1;       ///< >= 1, steps of dt / substeps each
     int passes = 1;         ///< >= 1, how often the contact phases are repeated in a substep
@@ -55,11 +59,15 @@ struct StepOptions {
 /// where those before it have left it (after Mueller et al., Position based dynamics, 2007).
 struct PositionBased : StepOptions {
     static constexpr std::string_view method_name = "pbd";
+    static constexpr bool reads_passes = true;
+    static constexpr std::array more_orders{ContactOrder::jacobi};
     bool mass_weighted = false;  ///< share a projection by inverse mass instead of half and half
 };
 /// Velocity based: respond on gaps at the start of the step, cancel velocities that would deepen an overlap, then move.
 struct VelocityBased : StepOptions {
     static constexpr std::string_view method_name = "velocity";
+    static constexpr bool reads_passes = true;
+    static constexpr std::array more_orders{ContactOrder::shock};
 };
 /// Bisection: step, and when an overlap appears go back to the first contact by bisection of the step, respond there,
 /// go on.
@@ -73,9 +81,10 @@ struct Naive : StepOptions {
 };
 
 /// Moreau-Jean time stepping: one complementarity problem for all contacts of a step, by projected Gauss-Seidel
-/// (Moreau 1988). `passes` has no meaning here.
+/// (Moreau 1988).
 struct Moreau : StepOptions {
     static constexpr std::string_view method_name = "moreau";
+    static constexpr std::array more_orders{ContactOrder::shock};
     int sweeps = 100;  ///< >= 1, of Gauss-Seidel, at most
 };
 
@@ -89,24 +98,24 @@ struct ImpactSubsteps : StepOptions {
     int most_impacts = 100;
 };
 
-/// Penalty: a spring and a damper while bodies overlap (Moore, Wilhelms 1988). Neither `passes` nor `order` has a
-/// meaning here: all forces are those of one state.
+/// Penalty: a spring and a damper while bodies overlap (Moore, Wilhelms 1988). All forces are those of one state.
 struct Penalty : StepOptions {
     static constexpr std::string_view method_name = "penalty";
+    static constexpr bool reads_order = false;
     /// > 0, of every spring [mass/time^2]; a step longer than the stable one, 2/sqrt(k/m) and with damping less, is
     /// refused. None: that with which two bodies alone stay in contact for ten substeps, from their reduced mass.
     std::optional<double> stiffness{};
 };
 
 /// Speculative contacts: nothing passes a gap within a step, then what closed faster than that rebounds (Catto; Firth
-/// 2011). `passes` has no meaning here.
+/// 2011).
 struct Speculative : StepOptions {
     static constexpr std::string_view method_name = "speculative";
     int sweeps = 100;  ///< >= 1, of sequential impulses, at most
 };
 
 /// Soft contacts with relaxation, the solver of Box2D 3 ("TGS soft": Catto 2024), which takes 4 substeps. Contacts are
-/// looked for once a step. `passes` has no meaning here.
+/// looked for once a step.
 struct Soft : StepOptions {
     static constexpr std::string_view method_name = "soft";
     double hertz = 30;          ///< > 0, of the spring of an overlap, at most a quarter of the substeps' rate [1/time]

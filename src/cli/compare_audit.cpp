@@ -39,6 +39,7 @@ std::string audit_line(const Comparison& comparison)
             ? fmt::format("Audit: {} of {} impacts up to t = {}, drawn at random", audit.drawn, audit.contacts,
                           study::time_text(audit.until, ""))
             : fmt::format("Audit: {} impacts up to t = {}", audit.contacts, study::time_text(audit.until, ""));
+    if (audit.phases > 1) text += fmt::format(", each at {} phases of the step", audit.phases);
     return text + fmt::format(
                       ", from the exact state, one at a time; not asked about: {} closing slower than v_c, {} "
                       "contacts that last\n",

@@ -46,23 +46,13 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-template <class Stepper>
-constexpr std::span<const ContactOrder> more_orders_of()
-{
-    if constexpr (requires { Stepper::more_orders; })
-        return Stepper::more_orders;
-    else
-        return {};
-}
-
-/// \tparam Stepper has advance(System&, const Substep&) and finish(System&), and may have an array `more_orders`: see
-/// option_problem.
-template <class Stepper>
-Outcome drive(const Scene& scene, const StepOptions& options, const RunOptions& run, const Observer& observer,
+/// \tparam Stepper has advance(System&, const Substep&) and finish(System&)
+template <class Method, class Stepper>
+Outcome drive(const Scene& scene, const Method& options, const RunOptions& run, const Observer& observer,
               System& system, Stepper& stepper)
 {
     const double until = std::isnan(run.until) ? scene.end_time : run.until;
-    if (std::string problem = option_problem(options, until, more_orders_of<Stepper>()); !problem.empty())
+    if (std::string problem = option_problem(options, until, Method::more_orders); !problem.empty())
         return refuse(system, std::move(problem));
     Outcome outcome;
     const auto stop = [&](Status status, std::string message) {

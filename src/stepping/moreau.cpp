@@ -46,8 +46,6 @@ bool any_inelastic(const Scene& scene)
 
 class MoreauStepper {
 public:
-    static constexpr std::array more_orders{ContactOrder::shock};
-
     MoreauStepper(const Moreau& method, const Scene& scene) : sweeps_(method.sweeps), look_ahead_(any_inelastic(scene))
     {
     }

@@ -22,8 +22,6 @@ using namespace stepping;
 
 class PositionStepper {
 public:
-    static constexpr std::array more_orders{ContactOrder::jacobi};
-
     PositionStepper(const PositionBased& method, const std::vector<double>& radius)
         : method_(method), pass_(radius), was_projected_(radius.size(), 0)
     {

@@ -23,8 +23,6 @@ using namespace stepping;
 
 class VelocityStepper {
 public:
-    static constexpr std::array more_orders{ContactOrder::shock};
-
     explicit VelocityStepper(const VelocityBased& method) : passes_(method.passes) {}
 
     void advance(System& system, const Substep& substep)

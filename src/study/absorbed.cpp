@@ -31,6 +31,7 @@ double gap_rate_before(const Scene& scene, const Truth& run, const Vec3& normal,
 
 bool is_absorbed(const Scene& scene, const Truth& run, BodyId a, BodyId b, double time)
 {
+    if (time > run.until) return false;
     const Sphere& sphere = scene.spheres[static_cast<std::size_t>(a)];
     const Vec3 place = state_of(scene, run, a, time).position;
     const double slow = rest_thresholds(scene).closing_speed;

@@ -12,7 +12,8 @@ namespace carom::study {
 double gap_rate_before(const Scene& scene, const Truth& run, const Vec3& normal, BodyId a, BodyId b, double time);
 
 /// Whether an event-driven run has the two, at `time`, closer than a bounce at v_c is high, and no faster relative to
-/// each other along the normal than v_c: an impact between them that it does not have was absorbed.
+/// each other along the normal than v_c: an impact between them that it does not have was absorbed. False beyond the
+/// end of the run.
 bool is_absorbed(const Scene& scene, const Truth& run, BodyId a, BodyId b, double time);
 
 }  // namespace carom::study

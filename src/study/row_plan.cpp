@@ -3,7 +3,9 @@
 #include "study/words.hpp"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
+#include <type_traits>
 
 namespace carom::study {
 
@@ -28,6 +30,31 @@ void add(std::vector<RowPlan>& rows, const RowPlan& plan)
     if (is_new(rows, plan)) rows.push_back(plan);
 }
 
+/// Options that a discrete method reads. What it does not read would make the same run again.
+struct OptionsRead {
+    bool passes = false, order = false;
+    std::span<const ContactOrder> more_orders{};
+
+    bool knows(ContactOrder asked) const
+    {
+        if (asked != ContactOrder::jacobi && asked != ContactOrder::shock) return order;
+        return std::find(more_orders.begin(), more_orders.end(), asked) != more_orders.end();
+    }
+};
+
+OptionsRead options_read(const Method& method)
+{
+    return std::visit(
+        [](const auto& each) -> OptionsRead {
+            using Each = std::decay_t<decltype(each)>;
+            if constexpr (std::is_base_of_v<StepOptions, Each>)
+                return {Each::reads_passes, Each::reads_order, Each::more_orders};
+            else
+                return {};
+        },
+        method);
+}
+
 /// Every combination of the lists for one method; what it does not read is as built in.
 void add_steps(std::vector<RowPlan>& rows, const Scene& scene, const CompareOptions& options, const std::string& method)
 {
@@ -42,21 +69,13 @@ void add_steps(std::vector<RowPlan>& rows, const Scene& scene, const CompareOpti
                         step.dt = dt;
                         step.substeps = substeps;
                         step.passes = reads.passes ? passes : 1;
-                        const bool known = reads.order && (reads.jacobi || order != ContactOrder::jacobi);
-                        step.order = known ? order : ContactOrder::index;
+                        step.order = reads.knows(order) ? order : ContactOrder::index;
                         step.integrator = curves ? integrator : Integrator::euler;
                         add(rows, {make_method(method, step), std::nullopt});
                     }
 }
 
 }  // namespace
-
-OptionsRead options_read(const Method& method)
-{
-    if (std::holds_alternative<PositionBased>(method)) return {true, true, true};
-    if (std::holds_alternative<VelocityBased>(method)) return {true, true, false};
-    return {false, true, false};
-}
 
 std::vector<RowPlan> rows_to_run(const Scene& scene, const CompareOptions& options)
 {

@@ -10,13 +10,6 @@
 
 namespace carom::study {
 
-/// Which lists of options a discrete method reads. What it does not read would make the same run again.
-struct OptionsRead {
-    bool passes = true, order = true;
-    bool jacobi = false;  ///< ContactOrder::jacobi, where it reads orders
-};
-OptionsRead options_read(const Method& method);
-
 struct RowPlan {
     Method method;
     std::optional<ImpactOperator> impact;  ///< of the event method; none for discrete ones

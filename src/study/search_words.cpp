@@ -35,10 +35,10 @@ std::string audit_clause(const CompareRow& row)
     std::string text;
     for (const auto& [count, verb] : faults)
         if (count > 0) text += (text.empty() ? "" : ", ") + (verb + percent_with_interval(count, audit.audited));
-    if (text.empty()) text = "finds all " + std::to_string(audit.audited);
+    if (text.empty()) text = "finds all " + std::to_string(audit.audited) + " that could be asked about";
     if (audit.invented > 0)
         text += ", invents in " + percent_with_interval(audit.invented, audit.looked_at) + " of steps";
-    return ", asked impact by impact it " + text;
+    return "; asked impact by impact, it " + text;
 }
 
 std::string search_sentence(const VerdictWords& words, const StepSearch& search)
@@ -72,7 +72,8 @@ std::string convergence_sentence(const VerdictWords& words)
     }
     std::string text;
     if (!falls.empty()) text = "Errors fall with the step: " + falls + ".";
-    if (!stalls.empty()) text += (text.empty() ? "" : " ") + ("Errors stall, whatever the step: " + stalls + ".");
+    if (!stalls.empty())
+        text += (text.empty() ? "" : " ") + ("Errors no longer fall with smaller steps: " + stalls + ".");
     return text;
 }
 

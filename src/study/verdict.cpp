@@ -22,7 +22,7 @@ std::string steppers_in_short(const VerdictWords& words, const CompareRow& best,
     const Comparison& comparison = words.comparison();
     const double error = *verdict_error(best);
     const std::string which = best.method + " at dt = " + VerdictWords::setting(best) + ", is off by ";
-    if (error < event_error && event_error > comparison.reference.bound)
+    if (error < event_error && event_error > comparison.tolerance)
         return "the best stepper, " + which + "at most " + words.length(error) + ", which is less";
     const std::string within = " within " + words.length(comparison.tolerance);
     if (const CompareRow* cheapest = cheapest_stepper(comparison))

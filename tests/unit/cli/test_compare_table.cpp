@@ -67,6 +67,9 @@ TEST_CASE("the table gives the audit as shares, with an interval, and what was n
 {
     Comparison c = comparison();
     CHECK_THAT(compare_table(one_ball(), c), !Contains("Audit:") && !Contains("crowded  "));
+    c.audit = {2, 31, 31, 33, 7, 5};
+    c.rows[1].audit = Audit{};
+    CHECK_THAT(compare_table(one_ball(), c), Contains("Audit: 31 impacts up to t = 2, each at 33 phases of the step"));
     c.audit = {2, 3000, 2000, 1, 7, 5};
     c.rows[1].audit = Audit{263, 81, 0, 182, 0, 1737, 400, 1, 0.5};
     const std::string table = compare_table(one_ball(), c);

@@ -3,7 +3,7 @@
 import { auditFigure } from "./audit_chart.js";
 import { drawAllCharts } from "./chart.js";
 import { h } from "./dom.js";
-import { formatNumber, formatQuantity, isNumber } from "./format.js";
+import { formatQuantity, isNumber } from "./format.js";
 import { missedFigure } from "./missed_chart.js";
 import { withLateAndLost } from "./rows.js";
 import { glossary, rowsTable } from "./table.js";
@@ -33,7 +33,7 @@ function referenceLine({ reference, until, units, rows, tolerance }) {
   const parts = [`${rows.length} ${rows.length === 1 ? "run" : "runs"}`];
   const time = (t) => formatQuantity(t, units.time, 5);
   const short = isNumber(reference.until) && isNumber(until) && reference.until < until;
-  if (isNumber(until)) parts.push(short ? `run to t = ${time(until)}, compared up to t = ${time(reference.until)}` : `compared up to t = ${time(until)}`);
+  if (isNumber(until)) parts.push(short ? `asked for up to t = ${time(until)}, compared up to t = ${time(reference.until)}` : `compared up to t = ${time(until)}`);
   if (isNumber(tolerance)) parts.push(`tolerance: position error ${formatQuantity(tolerance, units.length)}`);
   if (reference.kind) parts.push(`reference: ${KINDS[reference.kind] ?? reference.kind}${reference.bound > 0 ? `, off by ${formatQuantity(reference.bound, units.length, 2)} at most` : ""}`);
   if (reference.reason) parts.push(`the reference ends there: ${reference.reason}`);
