@@ -29,22 +29,56 @@ OnProgress named_again(const OnProgress& on_progress)
     };
 }
 
+/// Samples taken for each that is wanted, so that one run serves wherever the reference ends.
+std::size_t spare_samples(const Scene& scene, std::size_t intervals)
+{
+    const std::size_t states = std::max<std::size_t>(1, scene.spheres.size()) * intervals;
+    return std::clamp<std::size_t>(most_reference_states / states, 1, most_spare_samples);
+}
+
+/// Of all samples, those that are nearest to equal intervals from the first to the last. \pre intervals < samples
+void keep_spread(ComparedReference& compared, std::size_t intervals)
+{
+    Reference& reference = compared.reference;
+    const std::size_t last = reference.samples.size() - 1;
+    SampleTimes times;
+    std::vector<std::vector<BodyState>> samples;
+    for (std::size_t k = 0; k <= intervals; ++k) {
+        const std::size_t chosen = (2 * k * last + intervals) / (2 * intervals);
+        times.grid.push_back(reference.sample_times[chosen]);
+        times.sample.push_back(k);
+        samples.push_back(std::move(reference.samples[chosen]));
+    }
+    times.asked = times.grid;
+    reference.sample_times = times.grid;
+    reference.samples = std::move(samples);
+    compared.times = std::move(times);
+    compared.until = compared.times.grid.back();
+}
+
 }  // namespace
 
 ComparedReference make_compared_reference(const Scene& scene, double until, std::size_t intervals,
                                           const OnProgress& on_progress)
 {
     ComparedReference result;
-    result.asked_for = result.until = until;
-    result.times = sample_times(until, intervals, {});
+    result.until = until;
+    result.times = sample_times(until, intervals * spare_samples(scene, intervals), {});
     result.reference = make_reference(scene, until, result.times.asked, on_progress);
-    const Reference& reference = result.reference;
-    result.reason = reference.reason;
-    if (reference.stopped || reference.until <= 0) return result;
-    const double end = std::min(until, reference.until), interval = end / static_cast<double>(intervals);
-    SampleTimes times = sample_times(end, intervals, impact_times(scene, reference, interval));
+    result.reason = result.reference.reason;
+    const bool is_spread = result.reference.samples.size() > intervals;
+    if (is_spread) keep_spread(result, intervals);
+    if (result.reference.stopped) return result;
+    if (result.reference.until <= 0) {  // nothing is compared: the runs show their states all the same
+        result.times = sample_times(until, intervals, {});
+        return result;
+    }
+    const double end = is_spread ? result.until : std::min(until, result.reference.until);
+    const double interval = end / static_cast<double>(intervals);
+    const std::vector<double> impacts = impact_times(scene, result.reference, interval);
+    SampleTimes times =
+        is_spread ? beside_impacts(result.times.grid, interval, impacts) : sample_times(end, intervals, impacts);
     if (times.asked == result.times.asked) return result;
-    result.until = end;
     result.times = std::move(times);
     result.reference = make_reference(scene, end, result.times.asked, named_again(on_progress));
     result.until = std::min(end, result.reference.until);

@@ -8,13 +8,13 @@
 
 namespace carom::study {
 
-SampleTimes sample_times(double end, std::size_t intervals, std::span<const double> impacts)
+SampleTimes beside_impacts(const std::vector<double>& grid, double interval, std::span<const double> impacts)
 {
     SampleTimes times;
-    times.grid = sample_grid(end, intervals);
-    const double aside = on_impact * end / static_cast<double>(intervals);
-    for (std::size_t k = 0; k < times.grid.size(); ++k) {
-        const double time = times.grid[k];
+    times.grid = grid;
+    const double aside = on_impact * interval, end = grid.back();
+    for (std::size_t k = 0; k < grid.size(); ++k) {
+        const double time = grid[k];
         const auto add = [&](double moment) {
             if (moment < 0 || moment > end) return;
             times.asked.push_back(moment);
@@ -29,6 +29,11 @@ SampleTimes sample_times(double end, std::size_t intervals, std::span<const doub
         }
     }
     return times;
+}
+
+SampleTimes sample_times(double end, std::size_t intervals, std::span<const double> impacts)
+{
+    return beside_impacts(sample_grid(end, intervals), end / static_cast<double>(intervals), impacts);
 }
 
 }  // namespace carom::study

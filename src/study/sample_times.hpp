@@ -22,6 +22,9 @@ struct SampleTimes {
     }
 };
 
+/// These samples, those on an impact on both sides. \param interval between samples, of what is on an impact [time]
+/// \param impacts of the reference, ascending [time]
+SampleTimes beside_impacts(const std::vector<double>& grid, double interval, std::span<const double> impacts);
 /// `intervals` equal ones from 0 to `end`. \param impacts of the reference, ascending [time]
 SampleTimes sample_times(double end, std::size_t intervals, std::span<const double> impacts);
 

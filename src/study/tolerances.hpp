@@ -25,6 +25,11 @@ inline constexpr double on_impact = 1e-9;
 /// Flight [interval between samples] of a bounce below which its impacts are not kept from samples: it changes nothing
 /// that a figure shows.
 inline constexpr double shortest_sampled_flight = 1e-6;
+/// Samples [1] of the reference for each that is wanted, at most: one run of it then serves unless it ends in the first
+/// sixteenth.
+inline constexpr std::size_t most_spare_samples = 16;
+/// States [1] of the reference in memory at most where more samples than wanted are taken: some 30 MB.
+inline constexpr std::size_t most_reference_states = 400'000;
 /// Times of one impact [steps] in two runs differ by at most this: methods with a step see it at the end of one.
 inline constexpr double match_steps = 3;
 /// The same without a step [time of the run], at least: far below the time between impacts, far above rounding.
