@@ -3,7 +3,8 @@
 ///
 /// The result is that of the plain double loop, bit for bit, in time near linear: a pair that did not overlap when the
 /// pass began can only do so at its turn because one of the two was moved, so pairs of a sphere are looked for again
-/// each time it is. (This project's own.)
+/// each time it is: in a list of those near it, made once a pass, or in the grid once some sphere has moved farther
+/// than the lists reach. (This project's own.)
 #pragma once
 
 #include "stepping/moved_spheres.hpp"
@@ -11,13 +12,14 @@
 #include "stepping/system.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace carom::stepping {
 
 class PairPass {
 public:
-    explicit PairPass(const std::vector<double>& radius) : moved_(radius) {}
+    explicit PairPass(const std::vector<double>& radius) : list_(radius.size()), moved_(radius) {}
 
     /// Calls correct(contact) for each pair that overlaps at its turn; it may change positions of the two, no others.
     /// \param overlapping all pairs that overlap now, in index order: what Detector::find_pairs found just now
@@ -56,12 +58,27 @@ private:
     Visit pop_late();
     /// Pairs of sphere i that overlap now and whose turn is still to come.
     void look_again(System& system, BodyId i, const Vec3& before, const Visit& now);
+    void look_at(System& system, BodyId i, BodyId j, const Visit& now);
+    /// Spheres that may overlap sphere i while none has moved by more than the margin.
+    std::span<const BodyId> neighbours(const System& system, BodyId i);
+    /// The end of the lists: some sphere has moved too far.
+    void give_up_lists(const System& system);
 
     std::optional<PassOrder> order_;
-    MovedSpheres moved_;
-    std::vector<Vec3> at_begin_;  ///< positions when the pass began, if the order asks for gaps
+    std::vector<Vec3> at_begin_;  ///< positions when the pass began
     std::vector<Visit> known_;    ///< overlapping when the pass began, in the order of the pass
     std::vector<Visit> late_;     ///< overlapping since: a heap, the next one in front
+
+    struct List {
+        std::size_t begin = 0, end = 0;  ///< in listed_
+        bool is_made = false;
+    };
+    bool lists_hold_ = true;       ///< no sphere has moved by more than the margin in this pass
+    double margin_ = 0;            ///< [length]
+    std::vector<List> list_;       ///< of each sphere
+    std::vector<BodyId> touched_;  ///< spheres with a list
+    std::vector<BodyId> listed_;
+    MovedSpheres moved_;  ///< once the lists do not hold
 };
 
 }  // namespace carom::stepping

@@ -18,6 +18,10 @@ inline constexpr std::int64_t longest_watch_period = 64;
 /// Spheres [1] whose substeps lie between two looks in large scenes, where a substep takes milliseconds.
 inline constexpr std::int64_t spheres_between_looks = 4096;
 
+/// Distance that a sphere may move in a pass of pbd until lists of those near it do not hold [deepest overlap]: 240
+/// steps of settle_1000 take 0.45 s with these lists, 0.72 s without.
+inline constexpr double list_reach = 2;
+
 /// Change of a velocity in a sweep [largest velocity that was lacking] that ends a contact solver: some hundred units
 /// in the last place, which sums of impulses leave.
 inline constexpr double solved_contacts = 1e-13;

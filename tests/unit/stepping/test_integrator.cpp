@@ -108,6 +108,16 @@ TEST_CASE("With parabola bisection and a bounce agree with the closed form to th
     CHECK(outcome.final[0].velocity.z() == Approx(up - 9.81 * t).epsilon(1e-13));
 }
 
+TEST_CASE("With parabola a ball comes to rest on the floor under bisection", "[stepping]")
+{
+    Scene scene = scene_of({ball(0.1, Vec3(0, 0, 1.1))}, {wall(Vec3::UnitZ(), 0)}, Vec3(0, 0, -9.81));
+    scene.materials[0].restitution = 0.8;
+    const Outcome outcome = run_discrete(scene, Bisection{parabola(1.0 / 60)}, until(5));
+    CHECK(outcome.final[0].position.z() == Approx(0.1).margin(1e-15));
+    CHECK(outcome.final[0].velocity == Vec3::Zero());
+    CHECK(outcome.max_penetration < 1e-15);
+}
+
 TEST_CASE("With parabola moreau brings what does not bounce onto the floor, not into it", "[stepping]")
 {
     Scene scene = scene_of({ball(0.1, Vec3(0, 0, 0.5)), ball(0.1, Vec3(0.01, 0, 0.8))}, {wall(Vec3::UnitZ(), 0)},
