@@ -160,13 +160,13 @@ private:
         return nullptr;
     }
 
-    static constexpr const char* too_much = "more work than 500000 impacts";
+    static constexpr const char* too_much = "more work than 250000 impacts";
     /// Whether what is to be done with g is more than a reference is worth.
     bool exhausted(const Group<Real>& g, std::size_t work)
     {
         const std::size_t n = g.links.size();
         const auto all = static_cast<std::size_t>(balls_.bodies());
-        effort_left_ -= static_cast<std::int64_t>(work + n * n * n / cubes_an_impact + all / bodies_an_impact);
+        effort_left_ -= static_cast<std::int64_t>(work + n * n * n / cubes_an_impact + (1 + n) * all / pairs_an_impact);
         return effort_left_ < 0;
     }
 

@@ -10,12 +10,12 @@ namespace carom::reference {
 
 // What ends a reference.
 
-/// Effort of a run, in impacts of one contact of some 0.15 ms for both precisions: a minute or two. Bounces to rest
-/// are some 69 / (1 - e) of them.
-inline constexpr std::int64_t max_effort = 500'000;
-/// Effort of an impact of n contacts among N bodies, 1 + n^3 / 100 + N / 300, and of a step of constrained motion with
-/// them, some 15 n more: measured.
-inline constexpr std::size_t cubes_an_impact = 100, bodies_an_impact = 300, impacts_a_step = 15;
+/// Effort of a run, in impacts of one contact of some 0.15 ms for both precisions: half a minute. Bounces to rest are
+/// some 69 / (1 - e) of them.
+inline constexpr std::int64_t max_effort = 250'000;
+/// Effort of an impact of n contacts among N bodies, 1 + n^3 / 100 + (1 + n) N / 250, and of a step of constrained
+/// motion with them, 15 n more: measured.
+inline constexpr std::size_t cubes_an_impact = 100, pairs_an_impact = 250, impacts_a_step = 15;
 /// Events at one time: bounces whose gaps 50 digits do not tell any more, down to the speeds that they do.
 inline constexpr std::int64_t most_at_once = 10'000;
 /// Contacts resolved together: the work grows with their cube, and more.

@@ -71,7 +71,7 @@ struct Reference {
 /// turn are integrated, and where several contacts make one instant it goes on with the scene's operator and notes what
 /// others say.
 /// \pre the scene is valid. The end is the first sample at which the bound exceeds 1e-6 of the smallest radius (chaos),
-/// or what is not done: more work than 500,000 impacts (e near 1, bounces within bounces), several contacts
+/// or what is not done: more work than 250,000 impacts (e near 1, bounces within bounces), several contacts
 /// at once for `shock` or `jacobi` or with attenuation, more than 128 of them, or contacts whose forces are not unique
 /// while their normals turn. `reason` says which, who and when. Where `on_progress` stops it, it ends at the last
 /// sample reached.

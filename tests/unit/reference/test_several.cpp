@@ -261,7 +261,7 @@ TEST_CASE("What the reference leaves to others ends it with bodies and time", "[
         Patience endless;
         Exact run(scene, 30, endless, 1000);
         run.advance(30);
-        CHECK(run.reason().find("more work than 500000 impacts") == 0);
+        CHECK(run.reason().find("more work than 250000 impacts") == 0);
         CHECK(run.stopped_at() > 0.01);
         CHECK(run.record.impacts.size() == 1000);
     }
