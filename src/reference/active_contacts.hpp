@@ -61,7 +61,7 @@ std::optional<ActiveStep<Real>> active_step(const Constrained<Real>& start, cons
     std::vector<bool> carries = start.carries;
     const std::size_t m = carries.size();
     const Real radius = *std::min_element(start.radii.begin(), start.radii.end());
-    for (std::size_t change = 0; change <= 4 * m && patience.lasts(); ++change) {
+    for (std::size_t change = 0; change <= most_changes * m && patience.lasts(); ++change) {
         Chosen active;
         ActiveStep<Real> out{start.group, {}, 0};
         out.group.links.clear();

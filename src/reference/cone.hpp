@@ -95,7 +95,7 @@ Numbers<Real> balance(const Matrix<Real>& G, const Numbers<Real>& c, const Chose
 template <class Real>
 Numbers<Real> complement(const Matrix<Real>& G, const Numbers<Real>& c, const Real& least, Patience& patience)
 {
-    const std::size_t m = c.size(), most = 10 * m + 10;
+    const std::size_t m = c.size(), most = most_pivots * (m + 1);
     Numbers<Real> x = balance(G, c, first(m));
     if (std::all_of(x.begin(), x.end(), [](const Real& value) { return value >= 0; })) return x;
     x.assign(m, Real(0));

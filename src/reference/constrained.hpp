@@ -32,8 +32,7 @@ Group<Real> with_arms(Group<Real> g, const std::vector<Vector<Real>>& x)
 template <class Real>
 void project(const Group<Real>& g, std::vector<Vector<Real>>& x, std::vector<Vector<Real>>& v)
 {
-    constexpr int rounds = 2;  // each doubles the digits, of which there are at least 28
-    for (int k = 0; k < rounds; ++k) {
+    for (int k = 0; k < projections; ++k) {
         const Group<Real> now = with_arms(g, x);
         Numbers<Real> off;
         for (const Link<Real>& l : now.links)

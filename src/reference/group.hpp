@@ -10,7 +10,7 @@
 
 namespace carom::reference {
 
-inline constexpr std::size_t immovable = static_cast<std::size_t>(-1);
+inline constexpr std::size_t immovable = std::numeric_limits<std::size_t>::max();
 
 /// Contact of the group's sphere a with its sphere b, or with a plane or fixed sphere.
 template <class Real>

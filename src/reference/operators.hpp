@@ -23,7 +23,7 @@ struct ImpactProblem {
 template <class Real>
 Numbers<Real> sequential(const ImpactProblem<Real>& p, Patience& patience)
 {
-    const std::size_t m = p.c.size(), most = 10'000 + 100 * m;
+    const std::size_t m = p.c.size(), most = most_impulses + more_impulses * m;
     Numbers<Real> x(m, Real(0)), c = p.c;
     std::size_t impulses = 0;
     for (bool closes = true; closes && patience.lasts();) {

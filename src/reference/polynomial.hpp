@@ -35,10 +35,9 @@ Polynomial<Real> derivative(const Polynomial<Real>& p)
 template <class Real>
 Real root_between(const Polynomial<Real>& p, const Polynomial<Real>& d, Real low, Real high)
 {
-    constexpr int most = 500;  // more than the halvings that 100 digits need
     const bool rises = value(p, high) > 0;
     Real t = (low + high) / 2;
-    for (int k = 0; k < most; ++k) {
+    for (int k = 0; k < most_root_steps; ++k) {
         const Real f = value(p, t), slope = value(d, t);
         if (f == 0) return t;
         ((f > 0) == rises ? high : low) = t;
@@ -46,7 +45,7 @@ Real root_between(const Polynomial<Real>& p, const Polynomial<Real>& d, Real low
         if (!(next > low && next < high)) next = (low + high) / 2;
         const Real moved = abs(next - t);
         t = next;
-        if (moved <= std::numeric_limits<Real>::epsilon() * abs(t)) break;
+        if (moved <= last_digit<Real> * abs(t)) break;
     }
     return t;
 }
@@ -118,8 +117,7 @@ std::optional<Real> first_fall_in_unit(const Polynomial<Real>& p, int halvings, 
 template <class Real>
 std::optional<Real> first_fall(const Polynomial<Real>& p, const Real& end, std::int64_t& roots)
 {
-    constexpr int halvings = 80;  // 1e-24 of the interval
-    const std::optional<Real> t = first_fall_in_unit(scaled(p, end), halvings, roots);
+    const std::optional<Real> t = first_fall_in_unit(scaled(p, end), most_halvings, roots);
     return t ? std::optional<Real>(*t * end) : std::nullopt;
 }
 

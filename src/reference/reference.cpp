@@ -10,8 +10,8 @@ namespace carom {
 
 namespace {
 
-using Low = reference::Decimal<50>;
-using High = reference::Decimal<100>;
+using Low = reference::Decimal<reference::low_digits>;
+using High = reference::Decimal<reference::high_digits>;
 
 /// Both runs of one scene, side by side.
 struct Twin {
@@ -38,8 +38,7 @@ struct Twin {
             far2 = std::max(far2, dot(x, x));
             states.push_back({x.rounded(), f.velocity(t).rounded(), high.mode(i, t)});
         }
-        constexpr double u = std::numeric_limits<double>::epsilon() / 2;
-        const High bound = 2 * sqrt(apart2) + u * sqrt(far2);
+        const High bound = 2 * sqrt(apart2) + reference::rounding_of_double * sqrt(far2);
         return std::nextafter(static_cast<double>(bound), std::numeric_limits<double>::infinity());
     }
 };

@@ -90,7 +90,7 @@ Numbers<Real> reflections(const ImpactProblem<Real>& problem, Patience& patience
         for (std::size_t j = 0; j < c.size(); ++j)
             if (c[j] < -problem.least()) V.push_back(j);
         if (V.empty() || !patience.lasts()) break;
-        if (round >= 100 + 10 * m) return inelastic;
+        if (round >= most_rounds + more_rounds * m) return inelastic;
         Matrix<Real> columns;
         Numbers<Real> rates_of_V;
         for (const std::size_t j : V) columns.push_back(K[j]), rates_of_V.push_back(c[j]);
