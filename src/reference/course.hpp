@@ -54,7 +54,10 @@ protected:
     {
         const std::size_t n = g.links.size();
         const auto all = static_cast<std::size_t>(balls_.bodies());
-        effort_left_ -= static_cast<std::int64_t>(work + n * n * n / cubes_an_impact + (1 + n) * all / pairs_an_impact);
+        work += n * n * n / cubes_an_impact + (1 + n) * all / pairs_an_impact;
+        const std::int64_t spent = balls_.questions / questions_an_impact;
+        effort_left_ -= static_cast<std::int64_t>(work) + spent;
+        balls_.questions -= spent * questions_an_impact;
         if (effort_left_ >= 0) return false;
         stop("more work than 250000 impacts", g, t);
         return true;

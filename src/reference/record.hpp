@@ -16,16 +16,21 @@ struct Record {
     std::vector<ReferenceContact> contacts;  ///< those that persist at the end are in `since`
     std::vector<ReferenceConvention> conventions;
     std::int64_t root_solves = 0;
-    std::map<Pair, Real> since;  ///< when contacts that persist began to
+    std::map<Pair, Real> since;   ///< when contacts that persist began to
+    std::map<Pair, double> last;  ///< impact listed of a pair
 
-    /// An impact, with impulses x by link.
+    /// An impact, with impulses x by link. Those of one pair that doubles do not tell apart are listed once.
     void impact(const Group<Real>& g, const Numbers<Real>& x, BodyId spheres, const Real& t)
     {
         const Real most = *std::max_element(x.begin(), x.end());
         for (std::size_t i = 0; i < x.size(); ++i) {
             const BodyId a = g.bodies[g.links[i].a], b = g.links[i].partner;
             if (x[i] <= noise * most) continue;
-            impacts.push_back({static_cast<double>(t), b < spheres ? std::min(a, b) : a, std::max(a, b)});
+            const ReferenceImpact impact{static_cast<double>(t), b < spheres ? std::min(a, b) : a, std::max(a, b)};
+            const auto [at, is_first] = last.try_emplace({impact.a, impact.b}, impact.time);
+            if (!is_first && at->second == impact.time) continue;
+            at->second = impact.time;
+            impacts.push_back(impact);
         }
     }
 

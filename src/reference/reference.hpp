@@ -59,7 +59,7 @@ struct Reference {
     std::vector<double> bounds;  ///< per sample: 2 max |x50 - x100| over spheres, runs that differ in precision and in
                                  ///< the tolerance of their steps, plus the rounding of the samples to double [length]
     std::vector<std::vector<BodyState>> samples;  ///< [sample][sphere]
-    std::vector<ReferenceImpact> impacts;         ///< in time order, up to `until`
+    std::vector<ReferenceImpact> impacts;  ///< in time order, up to `until`; of a pair those at different doubles
     std::vector<ReferenceSeries> series;
     std::vector<ReferenceContact> contacts;        ///< by their beginning
     std::vector<ReferenceConvention> conventions;  ///< in time order, the first 100

@@ -45,7 +45,7 @@ TEST_CASE("A ball in a groove comes to rest at sqrt(2) r, at the end of its geom
     const Real g(9.81), n = Real(std::sqrt(0.5)), fall = Real(scene.spheres[0].position.z()) - Real(0.1) / n;
     const Real rest = sqrt(2 * fall / g) * (1 + e) / (1 - e);
     CHECK(abs(run.flight(0).t - rest) < 1e-26);
-    CHECK(run.record.impacts.size() > 2 * 80);  // 1e-27 = e^90
+    CHECK(run.record.impacts.size() > 100);  // 53 bounces on both until doubles do not tell them apart
     REQUIRE(run.record.since.size() == 2);
     CHECK(exactly(scene, static_cast<double>(rest) - 1e-9).mode(0, rest) == Mode::flying);
 }

@@ -182,12 +182,14 @@ TEST_CASE("a reference that ends early says up to when figures hold", "[verdict]
 
 TEST_CASE("where the reference ends at the start nothing is right or wrong", "[verdict]")
 {
-    // A ball that rolls off another one: contacts turn from the start.
+    // A ball that hits a fixed one and a floor at once, by an operator that the reference does not have.
     Scene scene = metric_scene();
-    scene.gravity = {0, 0, -10};
+    scene.impact.impact_operator = ImpactOperator::shock;
     scene.spheres.front().fixed = true;
+    scene.planes.push_back({"floor", Vec3::UnitZ(), -0.1, std::nullopt, 0});
     scene.spheres.push_back(make_sphere("roller", 0.1));
-    scene.spheres.back().position = {0.12, 0, 0.16};
+    scene.spheres.back().position = {0.2, 0, 0};
+    scene.spheres.back().velocity = {-1, 0, -1};
     CompareOptions options;
     options.methods = {"event", "pbd"};
     options.dt = {0.01};
@@ -200,7 +202,7 @@ TEST_CASE("where the reference ends at the start nothing is right or wrong", "[v
         CHECK(row.missed_impacts + row.invented_impacts + row.reference_impacts == 0);
     }
     REQUIRE(result.verdict.size() == 2);
-    CHECK_THAT(result.verdict[0], Contains("no verdict") && Contains("roller at t = 0"));
+    CHECK_THAT(result.verdict[0], Contains("no verdict") && Contains("roller, floor at t = 0"));
     CHECK_THAT(result.verdict[1], Contains("--set /rest/numeric_step=0.001"));
 }
 
