@@ -32,8 +32,9 @@ std::string broad_phase_of(const Scene& scene)
 std::string reference_of(const Scene& scene)
 {
     if (scene.spheres.size() < 2) return "closed form: a single sphere among planes";
-    return "multiprecision: an independent event integrator in 50 and 100 digits; with several spheres it ends at the "
-           "first one that comes to rest, and comparisons measure errors up to there";
+    return "multiprecision: an independent event integrator in 50 and 100 digits; where a run gets chaotic it ends, "
+           "and "
+           "comparisons measure errors up to there";
 }
 
 Explanation explain(const Scene& scene, const std::string& forced)

@@ -4,8 +4,10 @@
 
 #include <carom/scene.hpp>
 
+#include "reference/flight.hpp"
 #include "reference/prefilter.hpp"
-#include "reference/vector.hpp"
+
+#include <optional>
 
 namespace carom::reference {
 
@@ -14,25 +16,40 @@ struct Ball {
     Real radius, mass;
     Flight<Real> flight;
     Shadow shadow;
-    Real next = 0;               ///< its earliest contact, not later than the end
-    BodyId partner = no_body;    ///< with whom; no_body: none
-    std::ptrdiff_t series = -1;  ///< index of the Zeno series it is in; -1: none
-    Real window = 0;             ///< when the count of impacts began anew
-    int impacts = 0;             ///< since then
-    bool supported = false;      ///< it has a persistent contact
+    Real fastest = 0;              ///< largest of its speeds so far (as `size` takes it)
+    Real next = 0;                 ///< its earliest event, not later than the end
+    BodyId partner = no_body;      ///< with whom; itself: its step ends; no_body: none
+    std::ptrdiff_t series = -1;    ///< index of the Zeno series it is in; -1: none
+    std::optional<Real> step_end;  ///< until when its flight holds, if it is a step of constrained motion
+    bool supported = false;        ///< it has a persistent contact
     bool fixed;
 
     explicit Ball(const Sphere& s, const Vector<Real>& gravity) : radius(s.radius), mass(s.mass), fixed(s.fixed)
     {
-        flight = {0, Vector<Real>(s.position), Vector<Real>(s.velocity), fixed ? Vector<Real>() : gravity};
-        shadow = {0, s.radius, s.position, s.velocity, flight.a.rounded()};
+        flight = {0, Vector<Real>(s.position), Vector<Real>(s.velocity), fixed ? Vector<Real>() : gravity, {}};
+        fastest = size(flight.v);
+        shadow = {0, s.radius, s.position, s.velocity, flight.a.rounded(), 0};
     }
 
     /// New velocity and acceleration at time t.
     void fly(const Real& t, const Vector<Real>& v, const Vector<Real>& a)
     {
-        flight = {t, flight.position(t), v, a};
-        shadow = {static_cast<double>(t), shadow.radius, flight.x.rounded(), v.rounded(), a.rounded()};
+        follow({t, flight.position(t), v, a, {}}, std::nullopt);
+    }
+
+    void follow(Flight<Real> path, const std::optional<Real>& end)
+    {
+        flight = std::move(path);
+        step_end = end;
+        fastest = std::max<Real>(fastest, size(flight.v));
+        Real wander = 0, power = 1;
+        if (end) {
+            for (int k = 0; k < 3; ++k) power *= *end - flight.t;
+            for (const Vector<Real>& c : flight.higher) wander += size(c) * power, power *= *end - flight.t;
+        }
+        shadow = {
+            static_cast<double>(flight.t), shadow.radius, flight.x.rounded(), flight.v.rounded(), flight.a.rounded(),
+            static_cast<double>(wander)};
     }
 };
 

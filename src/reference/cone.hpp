@@ -5,6 +5,7 @@
 #include "core/patience.hpp"
 #include "reference/limits.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -34,31 +35,59 @@ Numbers<Real> residual(const Matrix<Real>& G, const Numbers<Real>& x, Numbers<Re
     return c;
 }
 
-/// x with (G x + c)_i = 0 and x_i = 0 elsewhere, i chosen. What depends on contacts chosen before it gets 0.
+/// L D L^T of the rows of G that are chosen. Rows that are sums of rows before them are left out.
+template <class Real>
+class Factor {
+public:
+    Factor(const Matrix<Real>& G, Chosen chosen) : chosen_(std::move(chosen)), U_(chosen_.size())
+    {
+        const std::size_t n = chosen_.size();
+        for (std::size_t i = 0; i < n; ++i)
+            for (const std::size_t j : chosen_) U_[i].push_back(G[chosen_[i]][j]);
+        for (std::size_t k = 0; k < n; ++k) {
+            depends_.push_back(U_[k][k] <= dependent * G[chosen_[k]][chosen_[k]]);
+            for (std::size_t i = k + 1; i < n && !depends_[k]; ++i) {
+                if (U_[k][i] == 0) continue;
+                const Real f = U_[k][i] / U_[k][k];
+                for (std::size_t j = i; j < n; ++j)
+                    if (U_[k][j] != 0) U_[i][j] -= f * U_[k][j];
+            }
+        }
+    }
+
+    bool dependent_rows() const { return std::count(depends_.begin(), depends_.end(), true) > 0; }
+
+    /// x with (G x + c)_i = 0 and x_i = 0 elsewhere, i chosen. What depends on contacts chosen before it gets 0.
+    Numbers<Real> balance(const Numbers<Real>& c) const
+    {
+        const std::size_t n = chosen_.size();
+        Numbers<Real> y(n), x(c.size(), Real(0));
+        for (std::size_t i = 0; i < n; ++i) y[i] = -c[chosen_[i]];
+        for (std::size_t k = 0; k < n; ++k) {
+            if (depends_[k] || y[k] == 0) continue;
+            const Real f = y[k] / U_[k][k];
+            for (std::size_t i = k + 1; i < n; ++i)
+                if (U_[k][i] != 0) y[i] -= f * U_[k][i];
+        }
+        for (std::size_t k = n; k-- > 0;) {
+            if (depends_[k]) continue;
+            for (std::size_t j = k + 1; j < n; ++j)
+                if (U_[k][j] != 0) y[k] -= U_[k][j] * x[chosen_[j]];
+            x[chosen_[k]] = y[k] / U_[k][k];
+        }
+        return x;
+    }
+
+private:
+    Chosen chosen_;
+    Matrix<Real> U_;  ///< D L^T, upper triangle
+    std::vector<bool> depends_;
+};
+
 template <class Real>
 Numbers<Real> balance(const Matrix<Real>& G, const Numbers<Real>& c, const Chosen& chosen)
 {
-    const std::size_t n = chosen.size();
-    Matrix<Real> U(n, Numbers<Real>(n + 1));
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) U[i][j] = G[chosen[i]][chosen[j]];
-        U[i][n] = -c[chosen[i]];
-    }
-    const auto depends = [&](std::size_t k) { return U[k][k] <= dependent * G[chosen[k]][chosen[k]]; };
-    for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t i = k + 1; i < n && !depends(k); ++i) {
-            if (U[i][k] == 0) continue;
-            const Real f = U[i][k] / U[k][k];
-            for (std::size_t j = k; j <= n; ++j)
-                if (U[k][j] != 0) U[i][j] -= f * U[k][j];
-        }
-    Numbers<Real> x(c.size(), Real(0));
-    for (std::size_t k = n; k-- > 0;) {
-        if (depends(k)) continue;
-        for (std::size_t j = k + 1; j < n; ++j) U[k][n] -= U[k][j] * x[chosen[j]];
-        x[chosen[k]] = U[k][n] / U[k][k];
-    }
-    return x;
+    return Factor<Real>(G, chosen).balance(c);
 }
 
 /// x >= 0 with G x + c >= 0 (to `least`) and x.(G x + c) = 0: Lawson and Hanson, Solving Least Squares Problems (1974),
@@ -66,7 +95,7 @@ Numbers<Real> balance(const Matrix<Real>& G, const Numbers<Real>& c, const Chose
 template <class Real>
 Numbers<Real> complement(const Matrix<Real>& G, const Numbers<Real>& c, const Real& least, Patience& patience)
 {
-    const std::size_t m = c.size(), most = 10 * m + 10;
+    const std::size_t m = c.size(), most = most_pivots * (m + 1);
     Numbers<Real> x = balance(G, c, first(m));
     if (std::all_of(x.begin(), x.end(), [](const Real& value) { return value >= 0; })) return x;
     x.assign(m, Real(0));

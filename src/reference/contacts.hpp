@@ -3,10 +3,10 @@
 #pragma once
 
 #include "reference/group.hpp"
-#include "reference/quartic.hpp"
 #include "reference/roots.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace carom::reference {
@@ -16,7 +16,7 @@ using Pair = std::pair<BodyId, BodyId>;  ///< the smaller id first
 template <class Real>
 class Contacts {
 public:
-    Contacts(const Scene& scene, Patience& patience) : scene_(scene), rest_(rest_thresholds(scene)), patience_(patience)
+    Contacts(const Scene& scene, Patience& patience) : scene_(scene), patience_(patience)
     {
         for (const Sphere& s : scene.spheres) balls_.emplace_back(s, Vector<Real>(scene.gravity));
         patience_.begin("reference: contacts at the start", count(), "spheres");
@@ -35,31 +35,44 @@ public:
     static Pair pair(const Group<Real>& g, const Link<Real>& l) { return pair(g.bodies[l.a], l.partner); }
     /// Whether this contact persists.
     bool held(BodyId i, BodyId j) const { return !held_.empty() && held_.count(pair(i, j)) > 0; }
-    void hold(const Pair& p) { held_.insert(p); }
+    void hold(const Group<Real>& g, const Link<Real>& l)
+    {
+        held_[pair(g, l)] = l.level;
+        bounced_.erase(pair(g, l));
+    }
     void release(const Pair& p) { held_.erase(p); }
+    /// Whether the last contact of these was a bounce.
+    bool bounced(const Pair& p) const { return bounced_.count(p) > 0; }
+    void bounce(const Pair& p) { bounced_.insert(p); }
     bool supported(BodyId i) const
     {
-        return std::any_of(held_.begin(), held_.end(), [i](const Pair& p) { return p.first == i || p.second == i; });
+        return std::any_of(held_.begin(), held_.end(),
+                           [i](const auto& p) { return p.first.first == i || p.first.second == i; });
     }
 
-    /// Slower than this, a contact is still [length/time].
-    Real slow(const Vector<Real>& v, const Vector<Real>& u) const
+    /// Slower than this, a contact's bounces are over [length/time].
+    Real lowest_speed(BodyId i, BodyId j) const
     {
-        return still * rest_.closing_speed + still_rounding * (size(v) + size(u));
+        return rest_speed<Real> * (j < count() ? Real(balls_[i].fastest + balls_[j].fastest) : balls_[i].fastest);
     }
 
-    /// What persistent contacts, and those closed at t, link to the first bodies, which move.
-    Group<Real> group(std::vector<BodyId> first, const Real& t) const
+    /// What persistent contacts link to the first bodies, which move, and the contact that closes at t if one does,
+    /// with those that belong to its instant.
+    Group<Real> group(const std::vector<BodyId>& first, const Real& t, const std::optional<Pair>& closes) const
     {
-        Group<Real> g{std::move(first), {}, {}};
-        const double tolerance = scene_.impact.tie.value_or(tie);
+        Real speed = 0;
+        if (closes)
+            speed =
+                fixed(closes->first) ? rate(closes->second, closes->first, t) : rate(closes->first, closes->second, t);
+        Group<Real> g{first, {}, {}};
         for (std::size_t a = 0; a < g.bodies.size() && patience_.lasts(); ++a) {
             const BodyId i = g.bodies[a];
             g.lightness.push_back(1 / balls_[i].mass);
             for (BodyId j = 0; j < bodies(); ++j) {
                 const auto found = std::find(g.bodies.begin(), g.bodies.end(), j);
                 const auto b = static_cast<std::size_t>(found - g.bodies.begin());
-                if (b <= a || !(held(i, j) || touch(i, j, t, tolerance))) continue;
+                if (b <= a || !(held(i, j) || (closes && (*closes == pair(i, j) || joins(i, j, t, Real(abs(speed)))))))
+                    continue;
                 g.links.push_back(link(i, j, t));
                 g.links.back().a = a;
                 if (fixed(j)) continue;
@@ -67,7 +80,20 @@ public:
                 if (found == g.bodies.end()) g.bodies.push_back(j);
             }
         }
+        std::sort(g.links.begin(), g.links.end(), [&g](const Link<Real>& l, const Link<Real>& k) {
+            const auto key = [&g](const Link<Real>& x) {
+                const BodyId a = g.bodies[x.a];
+                return x.b == immovable ? std::pair(a, x.partner) : pair(a, x.partner);
+            };
+            return key(l) < key(k);
+        });
         return g;
+    }
+    std::vector<Vector<Real>> positions(const Group<Real>& g, const Real& t) const
+    {
+        std::vector<Vector<Real>> x;
+        for (const BodyId i : g.bodies) x.push_back(balls_[i].flight.position(t));
+        return x;
     }
     std::vector<Vector<Real>> velocities(const Group<Real>& g, const Real& t) const
     {
@@ -77,25 +103,64 @@ public:
     }
 
     /// The earliest contact of sphere i, before `until`, with a plane or one of the first spheres: its `next` and
-    /// `partner`. Planes first: they are near.
+    /// `partner`. Planes first, then those of near numbers: they are often near, and what is found saves work.
     void predict(BodyId i, const Real& now, const Real& until, BodyId spheres, std::int64_t& root_solves)
     {
         Ball<Real>& ball = balls_[i];
         ball.partner = no_body;
         ball.next = until;
+        if (ball.step_end && *ball.step_end < until) ball.next = *ball.step_end, ball.partner = i;
         const double now_rounded = static_cast<double>(now);
-        double horizon = static_cast<double>(Real(until - now));
-        for (BodyId k = count(), end = bodies() + spheres; k < end; ++k) {
-            const BodyId j = k < bodies() ? k : k - bodies();
-            if (j == i || (ball.fixed && fixed(j)) || held(i, j)) continue;
-            if (j < count() && approach(i, j, now_rounded).misses(horizon)) continue;
-            if (!patience_.lasts()) return;
-            const std::optional<Real> dt = contact_in(i, j, now, until, root_solves);
-            if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) continue;
+        double horizon = static_cast<double>(Real(ball.next - now));
+        const auto consider = [&](BodyId j) {
+            if ((ball.fixed && fixed(j)) || held(i, j)) return;
+            if (j < count() && approach(i, j, now_rounded).misses(horizon)) return;
+            Real latest = ball.step_end ? std::min<Real>(until, *ball.step_end) : until;
+            if (j < count() && balls_[j].step_end) latest = std::min<Real>(latest, *balls_[j].step_end);
+            ++questions;
+            const std::optional<Real> dt = contact_in(i, j, now, latest, root_solves);
+            if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) return;
             ball.next = now + *dt;
             ball.partner = j;
             horizon = static_cast<double>(*dt);
+        };
+        for (BodyId j = count(); j < bodies(); ++j) consider(j);
+        for (BodyId d = 1; d < count() && patience_.lasts_for(1); ++d) {
+            if (i - d >= 0 && i - d < spheres) consider(i - d);
+            if (i + d < spheres) consider(i + d);
         }
+    }
+    std::int64_t questions = 0;  ///< when two bodies meet, asked so far
+
+    /// Whether sphere i, which slides along a plane from t on and bounces on it no higher than `height`, certainly
+    /// meets no other body before `end`, and none of those has an event before then.
+    bool alone_until(BodyId i, BodyId plane, const Flight<Real>& slide, const Real& height, const Real& end) const
+    {
+        std::int64_t roots = 0;
+        const Real& t = slide.t;
+        const double span = static_cast<double>(Real(end - t));
+        for (BodyId j = 0; j < count(); ++j)
+            if (j != i && balls_[j].partner != no_body && balls_[j].next <= end) return false;
+        const auto way = [&](const Vector<Real>& v, const Vector<Real>& a) {
+            return static_cast<double>(size(v)) * span + static_cast<double>(size(a)) * span * span;
+        };
+        for (BodyId j = 0; j < bodies(); ++j) {
+            if (j == i || j == plane) continue;
+            if (j >= count()) {
+                const Face<Real> p = face(j, balls_[i]);
+                const Real gap = p.gap(slide.x) - height;
+                const auto meets = plane_contact<Real>(gap, dot(p.n, slide.v), dot(p.n, slide.a), roots);
+                if (gap <= 0 || (meets && t + *meets <= end)) return false;
+                continue;
+            }
+            const Flight<Real>& f = balls_[j].flight;
+            const double far = way(slide.v, slide.a) + way(f.velocity(t), f.a) + balls_[j].shadow.wander;
+            if (approach(i, j, static_cast<double>(t)).apart(2 * (far + static_cast<double>(height)))) continue;
+            const Real sum = balls_[i].radius + balls_[j].radius + height;
+            const Polynomial<Real> gap = gap_of_squares(slide.coefficients(t), f.coefficients(t), sum);
+            if (gap[0] <= 0 || path_contact(gap, Real(sum * sum), Real(end - t), roots)) return false;
+        }
+        return true;
     }
 
     /// Time from now to the next contact of sphere i with body j, if there is one before `until`.
@@ -103,19 +168,27 @@ public:
                                    std::int64_t& root_solves) const
     {
         const Flight<Real>& f = balls_[i].flight;
-        const double pull = scene_.gravity.lpNorm<1>();
+        const Real pull(scene_.gravity.template lpNorm<1>());
         const Vector<Real> x = f.position(now), v = f.velocity(now);
         if (j < count()) {
             const Flight<Real>& other = balls_[j].flight;
-            const Vector<Real> u = other.velocity(now), r = x - other.position(now), a = f.a - other.a;
-            const Vector<Real> w = size(v - u) <= 1e-30 * (size(v) + size(u)) ? Vector<Real>() : v - u;
             const Real sum = balls_[i].radius + balls_[j].radius;
-            if (size(a) <= 1e-30 * pull) return sphere_contact<Real>(r, w, sum, root_solves);
+            if (!f.higher.empty() || !other.higher.empty())
+                return path_contact(gap_of_squares(f.coefficients(now), other.coefficients(now), sum), Real(sum * sum),
+                                    Real(until - now), root_solves);
+            const Vector<Real> u = other.velocity(now), r = x - other.position(now), a = f.a - other.a;
+            const Vector<Real> w = size(v - u) <= rounding * (size(v) + size(u)) ? Vector<Real>() : v - u;
+            if (size(a) <= rounding * pull) return sphere_contact<Real>(r, w, sum, root_solves);
             return accelerated_contact<Real>(r, w, a, sum, 2 * (until - now), root_solves);  // the end is in it
         }
         const Face<Real> p = face(j, balls_[i]);
-        return plane_contact(snapped(p.gap(x), balls_[i].radius), snapped(dot(p.n, v), size(v)),
-                             snapped(dot(p.n, f.a), Real(pull)), root_solves);
+        const Real gap = snapped(p.gap(x), balls_[i].radius), rate = snapped(dot(p.n, v), size(v));
+        if (f.higher.empty()) return plane_contact(gap, rate, snapped(dot(p.n, f.a), pull), root_solves);
+        Polynomial<Real> way;
+        for (const Vector<Real>& c : f.coefficients(now)) way.push_back(dot(p.n, c));
+        way[0] = gap;
+        way[1] = rate;
+        return path_contact(std::move(way), balls_[i].radius, Real(until - now), root_solves);
     }
 
 private:
@@ -123,42 +196,77 @@ private:
     void declare(BodyId i)
     {
         for (BodyId j = 0; j < bodies(); ++j) {
-            if (balls_[i].fixed || (j <= i && !fixed(j)) || !touch(i, j, 0, declared_tie)) continue;
-            const Vector<Real> v = balls_[i].flight.v, u = j < count() ? balls_[j].flight.v : Vector<Real>();
-            if (abs(dot(link(i, j, 0).n, v - u)) <= slow(v, u)) held_.insert(pair(i, j));
+            if (balls_[i].fixed || (j <= i && !fixed(j)) || !gap_within(declared_tie, i, j, 0)) continue;
+            const Vector<Real> u = j < count() ? balls_[j].flight.v : Vector<Real>();
+            const Real least = still_rounding * (size(balls_[i].flight.v) + size(u));
+            if (abs(rate(i, j, 0)) <= least) held_[pair(i, j)] = link(i, j, 0).level;
         }
     }
 
-    /// Whether i and j are closer than `tolerance` times the smaller radius at t.
-    bool touch(BodyId i, BodyId j, const Real& t, double tolerance) const
+    /// The gap between i and j at t, if it is at most `tolerance` times the smaller radius.
+    std::optional<Real> gap_within(double tolerance, BodyId i, BodyId j, const Real& t) const
     {
         const Ball<Real>& ball = balls_[i];
         const Vector<Real> x = ball.flight.position(t);
-        if (j >= count()) return face(j, ball).gap(x) <= tolerance * ball.radius;
-        const double reach = tolerance * std::min(ball.shadow.radius, balls_[j].shadow.radius);
-        if (approach(i, j, static_cast<double>(t)).apart(reach)) return false;
-        const Vector<Real> r = x - balls_[j].flight.position(t);
-        return sqrt(dot(r, r)) - ball.radius - balls_[j].radius <= reach;
+        Real gap = 0, reach = tolerance * ball.radius;
+        if (j >= count()) {
+            gap = face(j, ball).gap(x);
+        } else {
+            reach = tolerance * std::min(ball.radius, balls_[j].radius);
+            if (approach(i, j, static_cast<double>(t)).apart(static_cast<double>(reach))) return std::nullopt;
+            const Vector<Real> r = x - balls_[j].flight.position(t);
+            gap = sqrt(dot(r, r)) - ball.radius - balls_[j].radius;
+        }
+        return gap <= reach ? std::optional<Real>(gap) : std::nullopt;
+    }
+
+    Real rate(BodyId i, BodyId j, const Real& t) const
+    {
+        const Vector<Real> v = balls_[i].flight.velocity(t);
+        return dot(link(i, j, t).n, j < count() ? v - balls_[j].flight.velocity(t) : v);
+    }
+
+    /// Whether the contact of i and j belongs to an instant at which another one of i closes at that speed: nearly
+    /// closed and still, or about to close, or closed and of no bounce. Bounces that get ever lower come one after the
+    /// other, however low: so what bounced and opens does not belong to it, and the tie shrinks with the speed.
+    bool joins(BodyId i, BodyId j, const Real& t, const Real& closing_speed) const
+    {
+        const double tolerance = scene_.impact.tie.value_or(tie);
+        const std::optional<Real> gap = gap_within(tolerance, i, j, t);
+        if (!gap) return false;
+        const Real c = rate(i, j, t), lowest = lowest_speed(i, j);
+        if (abs(c) <= std::max<Real>(lowest, noise * closing_speed)) return true;
+        const Real radius = j < count() ? std::min(balls_[i].radius, balls_[j].radius) : balls_[i].radius;
+        if (*gap <= rounding * radius) return c < 0 || !bounced(pair(i, j));
+        return c < 0 && *gap * lowest <= tolerance * rest_speed<Real> * radius * -c;
     }
 
     /// Contact of sphere i with body j; places in a group are left to it.
     Link<Real> link(BodyId i, BodyId j, const Real& t) const
     {
         const Ball<Real>& ball = balls_[i];
-        const Vector<Real> r = j < count() ? ball.flight.position(t) - balls_[j].flight.position(t) : face(j, ball).n;
-        return {immovable,
-                immovable,
-                j,
-                r * (1 / sqrt(dot(r, r))),
-                j < count() ? Real(1 / (ball.radius + balls_[j].radius)) : Real(0),
-                contact_law(scene_, i, j)};
+        const Vector<Real> x = ball.flight.position(t);
+        Link<Real> l{immovable, immovable, j, {}, 0, contact_law(scene_, i, j), {}, 0};
+        if (j < count()) {
+            const Vector<Real> other = balls_[j].flight.position(t), r = x - other;
+            l.level = dot(r, r);
+            l.n = r * (1 / sqrt(l.level));
+            l.bend = 1 / (ball.radius + balls_[j].radius);
+            l.anchor = other;
+        } else {
+            const Vector<Real> n = face(j, ball).n;
+            l.n = n * (1 / sqrt(dot(n, n)));
+            l.level = dot(l.n, x);
+        }
+        if (const auto at = held_.find(pair(i, j)); at != held_.end()) l.level = at->second;
+        return l;
     }
 
     const Scene& scene_;
-    RestThresholds rest_;
     Patience& patience_;
     std::vector<Ball<Real>> balls_;
-    std::set<Pair> held_;
+    std::map<Pair, Real> held_;  ///< persistent contacts, with the `level` of their links
+    std::set<Pair> bounced_;
 };
 
 }  // namespace carom::reference

@@ -10,7 +10,7 @@
 
 namespace carom::reference {
 
-inline constexpr std::size_t immovable = static_cast<std::size_t>(-1);
+inline constexpr std::size_t immovable = std::numeric_limits<std::size_t>::max();
 
 /// Contact of the group's sphere a with its sphere b, or with a plane or fixed sphere.
 template <class Real>
@@ -20,6 +20,8 @@ struct Link {
     Vector<Real> n;    ///< unit, from b to a
     Real bend;         ///< 1 / (r_a + r_b), 0 at planes
     ContactLaw law;
+    Vector<Real> anchor;  ///< centre of a fixed sphere b
+    Real level;           ///< what persists: n.x of a plane, squared distance of spheres
 };
 
 template <class Real>
@@ -93,11 +95,32 @@ Real largest(const std::vector<Vector<Real>>& v)
     return most;
 }
 
-/// 0 where only rounding is left of what was of this scale.
+/// Those of the group's bodies that its links connect, part by part, each with its links.
 template <class Real>
-Vector<Real> settled(const Vector<Real>& v, const Real& scale)
+std::vector<Group<Real>> parts(const Group<Real>& g)
 {
-    return size(v) <= noise * scale ? Vector<Real>() : v;
+    std::vector<std::size_t> root = first(g.bodies.size());
+    for (const Link<Real>& l : g.links)
+        if (l.b != immovable) std::replace(root.begin(), root.end(), std::size_t(root[l.b]), std::size_t(root[l.a]));
+    std::vector<Group<Real>> out;
+    for (std::size_t r = 0; r < root.size(); ++r) {
+        Group<Real> part;
+        std::vector<std::size_t> place(root.size(), immovable);
+        for (std::size_t k = 0; k < root.size(); ++k) {
+            if (root[k] != r) continue;
+            place[k] = part.bodies.size();
+            part.bodies.push_back(g.bodies[k]);
+            part.lightness.push_back(g.lightness[k]);
+        }
+        for (Link<Real> l : g.links) {
+            if (root[l.a] != r) continue;
+            l.a = place[l.a];
+            if (l.b != immovable) l.b = place[l.b];
+            part.links.push_back(std::move(l));
+        }
+        if (!part.bodies.empty()) out.push_back(std::move(part));
+    }
+    return out;
 }
 
 }  // namespace carom::reference

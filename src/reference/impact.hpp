@@ -18,12 +18,11 @@ void impact_alone(const Group<Real>& g, std::vector<Vector<Real>>& v)
 }
 
 /// What contacts with an impulse take of the tangential velocities, all at once: -(1 - alpha) m_red v_t each, and where
-/// a body has k of them 1/k of that, so that together they give no energy.
+/// a body has k of them 1/k of that, so that together they give no energy. \param least speed that is none
 template <class Real>
-void rub(const Group<Real>& g, std::vector<Vector<Real>>& v, const Numbers<Real>& x)
+void rub(const Group<Real>& g, std::vector<Vector<Real>>& v, const Numbers<Real>& x, const Real& least)
 {
     const std::vector<Vector<Real>> before = v;
-    const Real least = noise * largest(v);
     const auto hits = [&](std::size_t body) {
         int k = 0;
         for (std::size_t i = 0; i < x.size() && body != immovable; ++i)
@@ -39,21 +38,36 @@ void rub(const Group<Real>& g, std::vector<Vector<Real>>& v, const Numbers<Real>
     }
 }
 
+/// Impulses of an operator. \pre it is one that the reference has, see `has_operator`
+template <class Real>
+Numbers<Real> impulses(ImpactOperator which, LcpLaw law, const ImpactProblem<Real>& problem, Patience& patience)
+{
+    if (which == ImpactOperator::sequential) return sequential(problem, patience);
+    if (which == ImpactOperator::lcp)
+        return law == LcpLaw::newton ? newton(problem, patience) : poisson(problem, patience);
+    return reflections(problem, patience);
+}
+
+inline bool has_operator(ImpactOperator which)
+{
+    return which != ImpactOperator::shock && which != ImpactOperator::jacobi;
+}
+
 /// Several contacts (docs/impacts.md, section 3), and a last inelastic impact. \returns impulses; none if something
 /// approaches after all
 template <class Real>
-Numbers<Real> impact_together(const Group<Real>& g, std::vector<Vector<Real>>& v, Patience& patience)
+Numbers<Real> impact_together(const Group<Real>& g, std::vector<Vector<Real>>& v, ImpactOperator which, LcpLaw law,
+                              Patience& patience)
 {
-    const Matrix<Real> G = g.coupling();
-    const Real scale = largest(v);
-    Numbers<Real> e;
-    for (const Link<Real>& l : g.links) e.push_back(l.law.restitution);
-    Numbers<Real> x = reflections(G, g.rates(v), e, Real(noise * scale), patience);
+    ImpactProblem<Real> problem{g.coupling(), g.rates(v), {}, 0};
+    for (const Link<Real>& l : g.links) problem.e.push_back(l.law.restitution);
+    for (const Real& c : problem.c) problem.closing = std::max<Real>(problem.closing, -c);
+    Numbers<Real> x = impulses(which, law, problem, patience);
     g.push(v, x);
-    rub(g, v, x);
-    g.push(v, complement(G, g.rates(v), Real(1e-25 * scale), patience));
+    rub(g, v, x, Real(noise * problem.closing));
+    g.push(v, complement(problem.G, g.rates(v), problem.left(), patience));
     for (const Real& c : g.rates(v))
-        if (c < -1e-9 * scale) x.clear();
+        if (c < -unresolved * problem.closing) x.clear();
     return x;
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// Forces in contacts that persist, as far as they leave flights parabolas.
+/// Forces in contacts that persist, and how their bodies go on where no normal turns.
 #pragma once
 
 #include "reference/group.hpp"
@@ -8,45 +8,46 @@ namespace carom::reference {
 
 template <class Real>
 struct Persistence {
-    std::vector<Vector<Real>> v, a;  ///< of the bodies from here on
-    std::vector<bool> persists;      ///< by link
-    bool turns = false;              ///< a contact carries force while its normal turns: no closed form
+    std::vector<Vector<Real>> v, a;            ///< of the bodies from here on
+    std::vector<bool> carries, stays, closed;  ///< by link: has a force; does not open; persists while a is constant
+    bool turns = false;                        ///< a contact carries force while its normal turns: a changes
+    bool rests = false;                        ///< nothing moves
 };
 
-/// Law: docs/impacts.md, section 6. \param g its links have a gap and a rate of 0, up to rounding
+/// Law: docs/impacts.md, section 6. \param g its links have a gap and a rate of 0, up to rounding \param still a speed
+/// that is none
 template <class Real>
 Persistence<Real> persistence(const Group<Real>& g, std::vector<Vector<Real>> v, const Vector<Real>& gravity,
-                              Patience& patience)
+                              const Real& still, Patience& patience)
 {
     const Matrix<Real> G = g.coupling();
-    const Real speed = largest(v), pull = size(gravity);
+    const Real pull = size(gravity), speed = std::max<Real>(still, equilibrium * largest(v));
     g.push(v, balance(G, g.rates(v), first(g.links.size())));
     std::vector<Vector<Real>> a(v.size(), gravity);
     Numbers<Real> q = g.rates(a);
+    Real scale = pull;
     for (std::size_t i = 0; i < q.size(); ++i) {
-        const Vector<Real> w = settled(g.relative(g.links[i], v), speed);
-        q[i] += dot(w, w) * g.links[i].bend;
+        const Vector<Real> w = g.relative(g.links[i], v);
+        const Real turning = dot(w, w) * g.links[i].bend;
+        q[i] += turning;
+        scale = std::max<Real>(scale, turning);
     }
-    const Numbers<Real> force = complement(G, q, Real(1e-25 * pull), patience), y = residual(G, force, q);
+    const Numbers<Real> force = complement(G, q, Real(residual_left * scale), patience), y = residual(G, force, q);
     g.push(a, force);
 
-    Persistence<Real> out{std::move(v), std::move(a), std::vector<bool>(q.size())};
-    std::vector<bool> supported(out.v.size());
+    Persistence<Real> out{std::move(v), std::move(a), {}, {}, {}};
     for (std::size_t i = 0; i < q.size(); ++i) {
         const Link<Real>& l = g.links[i];
-        if (y[i] > noise * pull) continue;
-        const bool moves = size(settled(g.relative(l, out.v), speed)) + size(settled(g.relative(l, out.a), pull)) > 0;
-        out.persists[i] = l.bend == 0 || !moves;
-        if (!out.persists[i] && (force[i] > 0 || y[i] < -1e-25 * pull)) out.turns = true;
-        if (!out.persists[i]) continue;
-        supported[l.a] = true;
-        if (l.b != immovable) supported[l.b] = true;
+        const bool moves = size(g.relative(l, out.v)) > speed || size(g.relative(l, out.a)) > equilibrium * pull;
+        out.carries.push_back(force[i] > 0);
+        out.stays.push_back(y[i] <= equilibrium * scale);
+        out.closed.push_back(out.stays[i] && (l.bend == 0 || !moves));
+        out.turns = out.turns || (out.carries[i] && !out.closed[i]);
     }
-    for (std::size_t k = 0; k < supported.size(); ++k) {
-        if (!supported[k]) continue;
-        out.v[k] = settled(out.v[k], speed);
-        out.a[k] = settled(out.a[k], pull);
-    }
+    const auto above = [](const Real& least) { return [&least](const Vector<Real>& w) { return size(w) > least; }; };
+    const Real least = equilibrium * pull;
+    out.rests = !g.links.empty() && std::none_of(out.v.begin(), out.v.end(), above(still)) &&
+                std::none_of(out.a.begin(), out.a.end(), above(least));
     return out;
 }
 

@@ -4,6 +4,8 @@
 
 #include <carom/types.hpp>
 
+#include "reference/limits.hpp"
+
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -13,37 +15,38 @@ namespace carom::reference {
 struct Shadow {
     double t = 0, radius = 0;
     Vec3 x = Vec3::Zero(), v = Vec3::Zero(), a = Vec3::Zero();
+    double wander = 0;  ///< how far from that parabola it may be in its step [length]
 };
 
 /// Relative motion of two spheres from `now` on, with bounds for what rounding did to it.
 struct Approach {
     Vec3 r, v, acceleration;
-    double sum, slack, v_slack;
+    double sum, wander, slack, v_slack;
 
-    Approach(const Shadow& a, const Shadow& b, double now) : acceleration(a.a - b.a), sum(a.radius + b.radius)
+    Approach(const Shadow& a, const Shadow& b, double now)
+        : acceleration(a.a - b.a), sum(a.radius + b.radius), wander(a.wander + b.wander)
     {
         const double ta = now - a.t, tb = now - b.t;
         const Vec3 xa = a.x + (a.v + a.a * (ta / 2)) * ta, xb = b.x + (b.v + b.a * (tb / 2)) * tb;
         const Vec3 va = a.v + a.a * ta, vb = b.v + b.a * tb;
         r = xa - xb;
         v = va - vb;
-        constexpr double margin = 1e-12;  // the errors are below 1e-14 of these sums
-        v_slack = margin * (size(va) + size(vb) + (size(a.a) + size(b.a)) * now);
-        slack = margin * (size(xa) + size(xb) + sum) + v_slack * now;
+        v_slack = shadow_error * (size(va) + size(vb) + (size(a.a) + size(b.a)) * now);
+        slack = shadow_error * (size(xa) + size(xb) + sum) + v_slack * now + wander;
     }
 
-    bool apart(double gap) const { return distance() - slack > (sum + gap) * (1 + 1e-9); }
+    bool apart(double gap) const { return distance() - slack > (sum + gap) * outside; }
 
     /// True if the surfaces certainly do not meet within `horizon`: too far, receding, or passing by.
     bool misses(double horizon) const
     {
-        const double far = distance(), error = 8 * (slack * size(v) + v_slack * size(r)) + 1e-300;
+        const double far = distance(), error = errors_a_product * (slack * size(v) + v_slack * size(r)) + underflow;
         const double speed = size(v) + v_slack + size(acceleration) * horizon / 2;
-        if (far - sum * (1 + 1e-9) - slack > speed * horizon * (1 + 1e-6)) return true;
-        if (acceleration != Vec3::Zero()) return false;  // what follows is about straight lines
+        if (far - sum * outside - slack > speed * horizon * longer) return true;
+        if (acceleration != Vec3::Zero() || wander > 0) return false;  // what follows is about straight lines
         if (r.dot(v) > error) return true;
         const double moment = r.cross(v).stableNorm();
-        return std::isfinite(moment) && moment - error > sum * (v.stableNorm() + v_slack) * (1 + 1e-9);
+        return std::isfinite(moment) && moment - error > sum * (v.stableNorm() + v_slack) * outside;
     }
 
 private:
@@ -53,7 +56,7 @@ private:
     double distance() const
     {
         const double square = r.squaredNorm();
-        return square > 1e-290 && square < 1e290 ? std::sqrt(square) : 0;
+        return square > least_square && square < 1 / least_square ? std::sqrt(square) : 0;
     }
 };
 

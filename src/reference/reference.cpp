@@ -10,8 +10,8 @@ namespace carom {
 
 namespace {
 
-using Low = reference::Decimal<50>;
-using High = reference::Decimal<100>;
+using Low = reference::Decimal<reference::low_digits>;
+using High = reference::Decimal<reference::high_digits>;
 
 /// Both runs of one scene, side by side.
 struct Twin {
@@ -38,8 +38,7 @@ struct Twin {
             far2 = std::max(far2, dot(x, x));
             states.push_back({x.rounded(), f.velocity(t).rounded(), high.mode(i, t)});
         }
-        constexpr double u = std::numeric_limits<double>::epsilon() / 2;
-        const High bound = 2 * sqrt(apart2) + u * sqrt(far2);
+        const High bound = 2 * sqrt(apart2) + reference::rounding_of_double * sqrt(far2);
         return std::nextafter(static_cast<double>(bound), std::numeric_limits<double>::infinity());
     }
 };
@@ -63,7 +62,7 @@ Reference make_reference(const Scene& scene, double until, std::span<const doubl
     result.kind = scene.spheres.size() == 1 ? Reference::Kind::closed_form : Reference::Kind::multiprecision;
     result.until = until;
     double limit = std::numeric_limits<double>::infinity();
-    for (const Sphere& s : scene.spheres) limit = std::min(limit, 1e-6 * s.radius);
+    for (const Sphere& s : scene.spheres) limit = std::min(limit, reference::worst_bound * s.radius);
 
     Patience patience(on_progress);
     Twin twin{{scene, until, patience}, {scene, until, patience}, static_cast<BodyId>(scene.spheres.size())};
@@ -97,11 +96,21 @@ Reference make_reference(const Scene& scene, double until, std::span<const doubl
         result.bound = std::max(result.bound, bound);
         result.samples.push_back(std::move(states));
     }
-    result.impacts = std::move(twin.high.impacts);
-    std::erase_if(result.impacts, [&](const ReferenceImpact& impact) { return impact.time > result.until; });
-    result.series = std::move(twin.high.series);
-    std::erase_if(result.series, [&](const ReferenceSeries& series) { return series.start > result.until; });
-    result.root_solves = twin.high.root_solves;
+    auto& record = twin.high.record;
+    const auto later = [&](double t) { return t > result.until; };
+    result.impacts = std::move(record.impacts);
+    std::erase_if(result.impacts, [&](const auto& impact) { return later(impact.time); });
+    result.series = std::move(record.series);
+    std::erase_if(result.series, [&](const auto& series) { return later(series.start); });
+    result.contacts = std::move(record.contacts);
+    for (const auto& [pair, begin] : record.since)
+        result.contacts.push_back({static_cast<double>(begin), result.until, pair.first, pair.second});
+    std::erase_if(result.contacts, [&](const auto& contact) { return later(contact.begin); });
+    std::sort(result.contacts.begin(), result.contacts.end(),
+              [](const auto& a, const auto& b) { return a.begin < b.begin; });
+    result.conventions = std::move(record.conventions);
+    std::erase_if(result.conventions, [&](const auto& convention) { return later(convention.time); });
+    result.root_solves = record.root_solves;
     return result;
 }
 

@@ -2,7 +2,7 @@
 /// Impact of several contacts at one instant (docs/impacts.md, section 3) by their impulses alone: c = c0 + G x.
 #pragma once
 
-#include "reference/cone.hpp"
+#include "reference/operators.hpp"
 
 #include <algorithm>
 
@@ -38,23 +38,22 @@ Chosen jammed(const Matrix<Real>& H, Patience& patience)
     Matrix<Real> Q = H;  // of min |A mu|^2 + (1 - sum mu)^2 over mu >= 0
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) Q[i][j] = 1 + H[i][j] / sqrt(Real(H[i][i] * H[j][j]));
-    const Numbers<Real> mu = complement(Q, Numbers<Real>(n, Real(-1)), Real(1e-25), patience);
+    const Numbers<Real> mu = complement(Q, Numbers<Real>(n, Real(-1)), Real(residual_left), patience);
     const Real sum = std::accumulate(mu.begin(), mu.end(), Real(0));
     Chosen D;
     for (std::size_t i = 0; i < n && 1 - sum <= jam * jam * sum; ++i)
-        if (mu[i] > 1e-9 * sum) D.push_back(i);
+        if (mu[i] > jam_weight * sum) D.push_back(i);
     return D;
 }
 
 /// Generalized reflections (Smith, Kaufman, Vouga, Tamstorf, Grinspun, Reflections on simultaneous impact, SIGGRAPH
-/// 2012); test for jams and blend with the inelastic answer: this project. \param least what counts as closing, of c0
-/// \returns impulses
+/// 2012); test for jams and blend with the inelastic answer: this project. \returns impulses
 template <class Real>
-Numbers<Real> reflections(const Matrix<Real>& G, const Numbers<Real>& c0, const Numbers<Real>& e, const Real& least,
-                          Patience& patience)
+Numbers<Real> reflections(const ImpactProblem<Real>& problem, Patience& patience)
 {
+    const auto& [G, c0, e, closing] = problem;
     const std::size_t m = c0.size();
-    const Numbers<Real> inelastic = complement(G, c0, Real(1e-13 * least), patience);
+    const Numbers<Real> inelastic = problem.inelastic(patience);
     Real weight = 0, restitution = 0;
     for (std::size_t i = 0; i < m; ++i)
         if (c0[i] < 0) {
@@ -89,13 +88,13 @@ Numbers<Real> reflections(const Matrix<Real>& G, const Numbers<Real>& c0, const 
         const Numbers<Real> c = rates();
         Chosen V;
         for (std::size_t j = 0; j < c.size(); ++j)
-            if (c[j] < -least) V.push_back(j);
+            if (c[j] < -problem.least()) V.push_back(j);
         if (V.empty() || !patience.lasts()) break;
-        if (round >= 100 + 10 * m) return inelastic;
+        if (round >= most_rounds + more_rounds * m) return inelastic;
         Matrix<Real> columns;
-        Numbers<Real> closing;
-        for (const std::size_t j : V) columns.push_back(K[j]), closing.push_back(c[j]);
-        const Numbers<Real> once = complement(coupling(G, columns), closing, Real(1e-13 * least), patience);
+        Numbers<Real> rates_of_V;
+        for (const std::size_t j : V) columns.push_back(K[j]), rates_of_V.push_back(c[j]);
+        const Numbers<Real> once = complement(coupling(G, columns), rates_of_V, problem.left(), patience);
         x = combined(combined(x, columns, once), columns, once);
     }
     for (std::size_t i = 0; i < m; ++i) x[i] = restitution * x[i] + (1 - restitution) * inelastic[i];

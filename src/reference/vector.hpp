@@ -1,11 +1,13 @@
 /// \file
-/// Multiprecision numbers, vectors of them, and a flight: the arithmetic of the reference, apart from the engine's on
+/// Multiprecision numbers and vectors of them: the arithmetic of the reference, apart from the engine's on
 /// purpose.
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>
 
 #include <carom/types.hpp>
+
+#include "reference/limits.hpp"
 
 namespace carom::reference {
 
@@ -41,21 +43,11 @@ Real size(const Vector<Real>& v)
     return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
-/// What is below 1e-30 of its scale is rounding, not data: 50 digits leave errors near 1e-50, the scene's doubles come
-/// in steps of 1e-16.
+/// 0 for what is rounding, not data, of its scale.
 template <class Real>
 Real snapped(const Real& value, const Real& scale)
 {
-    return abs(value) <= 1e-30 * scale ? Real(0) : value;
+    return abs(value) <= rounding * scale ? Real(0) : value;
 }
-
-template <class Real>
-struct Flight {
-    Real t = 0;  ///< its start, since the start of the run [time]
-    Vector<Real> x, v, a;
-
-    Vector<Real> position(const Real& at) const { return x + (v + a * ((at - t) / 2)) * (at - t); }
-    Vector<Real> velocity(const Real& at) const { return v + a * (at - t); }
-};
 
 }  // namespace carom::reference

@@ -112,6 +112,22 @@ void add_persistent(const Scene& scene, const Reference& reference, ExpectedImpa
             }
 }
 
+/// Exempts contacts that persist, and before them the bounces that led to them once their flights were shorter than
+/// `shortest_flight`. \pre times are sorted
+void add_contacts(const Reference& reference, double shortest_flight, ExpectedImpacts& expected)
+{
+    for (const ReferenceContact& contact : reference.contacts) {
+        PairImpacts& pair = expected[{contact.a, contact.b}];
+        const auto after = std::upper_bound(pair.times.begin(), pair.times.end(), contact.begin);
+        auto first = after;
+        double begin = contact.begin;
+        while (first != pair.times.begin() && begin - *std::prev(first) < shortest_flight) begin = *--first;
+        // The bounce at which the tail begins still counts.
+        pair.times.erase(first == after ? after : std::next(first), after);
+        pair.exempt.push_back({begin, contact.end});
+    }
+}
+
 }  // namespace
 
 ExpectedImpacts expected_impacts(const Scene& scene, const Reference& reference, double shortest_flight)
@@ -121,6 +137,7 @@ ExpectedImpacts expected_impacts(const Scene& scene, const Reference& reference,
     add_series(reference, shortest_flight, expected);
     add_persistent(scene, reference, expected);
     for (auto& [pair, impacts] : expected) std::sort(impacts.times.begin(), impacts.times.end());
+    add_contacts(reference, shortest_flight, expected);
     return expected;
 }
 

@@ -28,5 +28,11 @@ for folder in "$src"/*/; do
     *) continue ;;
     esac
     if grep -rnHE --include='*.?pp' "#include $forbidden" "$src/$folder"; then echo "src/$folder: must stay independent"; bad=1; fi
+    # The reference knows materials and impact operators; what the engine takes for rest, and when it gives up, is no truth.
+    if [ "$folder" = reference ] &&
+        grep -rnHE --include='*.?pp' '#include "(core/[^p]|core/p[^a]|math|scene|obstacle)|rest_thresholds|RestThresholds|RestOptions|RestPolicy|GuardOptions|scene_?\.(rest|guard)\b' "$src/$folder"; then
+        echo "src/$folder: must read no threshold of rest or guard, and of scenes nothing but plain data and material laws"
+        bad=1
+    fi
 done
 exit $bad

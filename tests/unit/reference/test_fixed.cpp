@@ -1,6 +1,6 @@
 #include "reference_scenes.hpp"
 
-#include "reference/quartic.hpp"
+#include "reference/roots.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -216,6 +216,22 @@ TEST_CASE("answers in a contact that persists in the reference are not invented 
           2);
 }
 
+TEST_CASE("bounces too short for a method that end in a contact are not asked of it, nor invented by it", "[matching]")
+{
+    // Two spheres: flights of 0.4, 0.2, 0.1, 0.05, .. from t = 1 on, at rest on each other from 1.8 to 3.
+    Reference reference;
+    reference.until = 10;
+    for (double t = 1, flight = 0.4; flight > 1e-3; t += flight, flight /= 2) reference.impacts.push_back({t, 2, 5});
+    reference.contacts = {{1.8, 3, 2, 5}};
+    const PairImpacts pair = expected_impacts(ball_scene(), reference, 0.15).at({2, 5});
+    REQUIRE(pair.times.size() == 3);  // that after the flight of 0.2 is the last
+    CHECK(pair.times[2] == Approx(1.6));
+    REQUIRE(pair.exempt.size() == 1);
+    CHECK(pair.exempt[0].begin == pair.times[2]);
+    CHECK(pair.exempt[0].end == 3);
+    CHECK(expected_impacts(ball_scene(), reference, 0).at({2, 5}).times.size() == reference.impacts.size());
+}
+
 TEST_CASE("rests stand for the impacts that the definition gives them, for any mix of times", "[matching]")
 {
     std::mt19937_64 random(3);

@@ -1,0 +1,56 @@
+/// \file
+/// The path of a sphere between two of its events.
+#pragma once
+
+#include "reference/limits.hpp"
+#include "reference/vector.hpp"
+
+#include <vector>
+
+namespace carom::reference {
+
+/// A parabola, or where contacts with turning normals carry the sphere a polynomial of higher degree.
+template <class Real>
+struct Flight {
+    Real t = 0;  ///< its start, since the start of the run [time]
+    Vector<Real> x, v, a;
+    std::vector<Vector<Real>> higher;  ///< coefficients of (at - t)^3 and up
+
+    Vector<Real> position(const Real& at) const
+    {
+        const Real s = at - t;
+        Vector<Real> sum = a * Real(0.5);
+        if (!higher.empty()) sum = sum + tail(s, [](int) { return 1; });
+        return x + (v + sum * s) * s;
+    }
+    Vector<Real> velocity(const Real& at) const
+    {
+        const Real s = at - t;
+        return higher.empty() ? v + a * s : v + (a + tail(s, [](int k) { return k; })) * s;
+    }
+    /// Coefficients of its powers of (time - at), as many as it has.
+    std::vector<Vector<Real>> coefficients(const Real& at) const
+    {
+        if (higher.empty()) return {position(at), velocity(at), a * Real(0.5)};
+        std::vector<Vector<Real>> c{x, v, a * Real(0.5)};
+        c.insert(c.end(), higher.begin(), higher.end());
+        const Real s = at - t;
+        if (s == 0) return c;
+        for (std::size_t low = 0; low + 1 < c.size(); ++low)
+            for (std::size_t k = c.size() - 1; k-- > low;) c[k] = c[k] + c[k + 1] * s;
+        return c;
+    }
+
+private:
+    /// Sum of factor(k) times coefficient k times s^(k-2), k >= 3.
+    template <class Factor>
+    Vector<Real> tail(const Real& s, Factor factor) const
+    {
+        Vector<Real> sum;
+        for (std::size_t k = higher.size(); k-- > 0;)
+            sum = (sum + higher[k] * Real(factor(static_cast<int>(k) + 3))) * s;
+        return sum;
+    }
+};
+
+}  // namespace carom::reference

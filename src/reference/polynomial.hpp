@@ -1,0 +1,124 @@
+/// \file
+/// Roots of polynomials, none of them missed: they are sought in pieces that are monotone.
+#pragma once
+
+#include "reference/vector.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace carom::reference {
+
+/// Coefficients, constant first; at least two where roots are asked for.
+template <class Real>
+using Polynomial = std::vector<Real>;
+
+template <class Real>
+Real value(const Polynomial<Real>& p, const Real& t)
+{
+    Real sum = 0;
+    for (auto c = p.rbegin(); c != p.rend(); ++c) sum = sum * t + *c;
+    return sum;
+}
+
+template <class Real>
+Polynomial<Real> derivative(const Polynomial<Real>& p)
+{
+    Polynomial<Real> d;
+    for (std::size_t k = 1; k < p.size(); ++k) d.push_back(p[k] * static_cast<int>(k));
+    return d;
+}
+
+/// The root between low and high, at which p has different signs: Newton steps, halved where they leave the bracket.
+template <class Real>
+Real root_between(const Polynomial<Real>& p, const Polynomial<Real>& d, Real low, Real high)
+{
+    const bool rises = value(p, high) > 0;
+    Real t = (low + high) / 2;
+    for (int k = 0; k < most_root_steps; ++k) {
+        const Real f = value(p, t), slope = value(d, t);
+        if (f == 0) return t;
+        ((f > 0) == rises ? high : low) = t;
+        Real next = slope == 0 ? low : Real(t - f / slope);
+        if (!(next > low && next < high)) next = (low + high) / 2;
+        const Real moved = abs(next - t);
+        t = next;
+        if (moved <= last_digit<Real> * abs(t)) break;
+    }
+    return t;
+}
+
+/// Where p, of a low degree, changes its sign in (0, end), ascending: between the roots of its derivative, which are
+/// found between those of the next one, down to a line. `roots` counts brackets solved.
+template <class Real>
+std::vector<Real> sign_changes(const Polynomial<Real>& p, const Real& end, std::int64_t& roots)
+{
+    if (p.size() < 2) return {};
+    const Polynomial<Real> d = derivative(p);
+    std::vector<Real> ends{Real(0)}, found;
+    for (const Real& t : sign_changes(d, end, roots)) ends.push_back(t);
+    ends.push_back(end);
+    for (std::size_t k = 1; k < ends.size(); ++k) {
+        const Real f = value(p, ends[k - 1]), g = value(p, ends[k]);
+        if (!((f < 0 && g > 0) || (f > 0 && g < 0))) continue;
+        ++roots;
+        found.push_back(root_between(p, d, ends[k - 1], ends[k]));
+    }
+    return found;
+}
+
+/// p(t + 1).
+template <class Real>
+Polynomial<Real> shifted(Polynomial<Real> p)
+{
+    for (std::size_t low = 0; low + 1 < p.size(); ++low)
+        for (std::size_t k = p.size() - 1; k-- > low;) p[k] += p[k + 1];
+    return p;
+}
+
+/// p(t scale).
+template <class Real>
+Polynomial<Real> scaled(Polynomial<Real> p, const Real& scale)
+{
+    Real power = 1;
+    for (Real& c : p) c *= power, power *= scale;
+    return p;
+}
+
+/// First t in [0, 1] at which p, of a high degree with terms that fade, falls through 0: halves of the interval until
+/// p has no root there, or is monotone.
+template <class Real>
+std::optional<Real> first_fall_in_unit(const Polynomial<Real>& p, int halvings, std::int64_t& roots)
+{
+    Real sum = 0, change = 0;
+    for (std::size_t k = 1; k < p.size(); ++k) {
+        sum += abs(p[k]);
+        if (k > 1) change += abs(p[k]) * static_cast<int>(k);
+    }
+    if (abs(p[0]) > sum || p.size() < 2) return std::nullopt;
+    if (abs(p[1]) > change) {
+        if (p[1] > 0 || p[0] < 0 || value(p, Real(1)) >= 0) return std::nullopt;
+        if (p[0] == 0) return Real(0);
+        ++roots;
+        return root_between(p, derivative(p), Real(0), Real(1));
+    }
+    if (halvings == 0) return std::nullopt;  // a double root: a graze, not a contact
+    const Polynomial<Real> left = scaled(p, Real(0.5));
+    std::optional<Real> t = first_fall_in_unit(left, halvings - 1, roots);
+    if (t) return *t / 2;
+    t = first_fall_in_unit(shifted(left), halvings - 1, roots);
+    if (t) return (1 + *t) / 2;
+    return std::nullopt;
+}
+
+/// The same in [0, end].
+template <class Real>
+std::optional<Real> first_fall(const Polynomial<Real>& p, const Real& end, std::int64_t& roots)
+{
+    const std::optional<Real> t = first_fall_in_unit(scaled(p, end), most_halvings, roots);
+    return t ? std::optional<Real>(*t * end) : std::nullopt;
+}
+
+}  // namespace carom::reference
