@@ -162,12 +162,26 @@ struct CompareRow {
     std::vector<Lift> lifts;                       ///< event: as RunStudy::lifts
 };
 
+/// An instant of several contacts, whose outcome the axioms of rigid bodies leave open, as the reference met it: what
+/// each operator makes of it. The reference goes on with the scene's.
+struct Convention {
+    struct Answer {
+        ImpactOperator impact_operator = ImpactOperator::reflections;
+        std::vector<Vec3> velocities;  ///< after it, one for each of `bodies` [length/time]
+    };
+    double time = 0;             ///< since the start of the run [time]
+    std::vector<BodyId> bodies;  ///< those of it that move
+    std::vector<Answer> answers;
+    bool differ = false;  ///< by more than 1e-9 of the largest speed
+};
+
 struct ReferenceSummary {
     std::string kind;    ///< "closed_form" or "multiprecision"
     double bound = 0;    ///< [length]
     double until = 0;    ///< valid up to here [time]
     std::string reason;  ///< why it ends early; empty if it does not
     std::int64_t impacts = 0, series = 0;
+    std::vector<Convention> conventions;                    ///< in time order, the first 100
     std::vector<double> sample_times;                       ///< [time]
     std::vector<std::vector<std::array<float, 3>>> tracks;  ///< as RowSeries::tracks
     double cpu_seconds = 0;                                 ///< [s]

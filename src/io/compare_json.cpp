@@ -87,6 +87,23 @@ Json convergence_json(const Convergence& fit)
             {"last_error", fit.last_error}};
 }
 
+Json vector_json(const Vec3& v)
+{
+    return Json::array({v.x(), v.y(), v.z()});
+}
+
+Json convention_json(const Scene& scene, const Convention& each)
+{
+    Json bodies = Json::array(), answers = Json::object();
+    for (const BodyId body : each.bodies) bodies.push_back(scene.body_name(body));
+    for (const Convention::Answer& answer : each.answers) {
+        Json velocities = Json::array();
+        for (const Vec3& v : answer.velocities) velocities.push_back(vector_json(v));
+        answers[std::string(name_of(answer.impact_operator, impact_operator_names))] = velocities;
+    }
+    return {{"time", each.time}, {"bodies", bodies}, {"differ", each.differ}, {"velocities", answers}};
+}
+
 Json search_json(const StepSearch& search)
 {
     return {{"method", search.method},
@@ -125,7 +142,10 @@ std::string compare_json(const Scene& scene, const Comparison& comparison, const
                          {"reason", reference.reason},
                          {"impacts", reference.impacts},
                          {"series", reference.series},
-                         {"cpu_seconds", reference.cpu_seconds}};
+                         {"cpu_seconds", reference.cpu_seconds},
+                         {"conventions", Json::array()}};
+    for (const Convention& each : reference.conventions)
+        json["reference"]["conventions"].push_back(convention_json(scene, each));
     json["audit"] = {{"until", comparison.audit.until}, {"contacts", comparison.audit.contacts},
                      {"drawn", comparison.audit.drawn}, {"phases", comparison.audit.phases},
                      {"slow", comparison.audit.slow},   {"persistent", comparison.audit.persistent}};

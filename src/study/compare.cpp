@@ -19,6 +19,14 @@ double weight(const Method& method, double until)
     return step == nullptr ? study::event_run_in_steps : until / step->dt * step->substeps * step->passes + 1;
 }
 
+Convention told(const ReferenceConvention& met)
+{
+    Convention result{met.time, met.bodies, {}, met.differ};
+    for (const ReferenceConvention::Answer& answer : met.answers)
+        result.answers.push_back({answer.impact_operator, answer.velocities});
+    return result;
+}
+
 ReferenceSummary summary(const study::ComparedReference& compared, double cpu_seconds)
 {
     const Reference& reference = compared.reference;
@@ -29,6 +37,7 @@ ReferenceSummary summary(const study::ComparedReference& compared, double cpu_se
     result.reason = compared.reason;
     result.impacts = static_cast<std::int64_t>(reference.impacts.size());
     result.series = static_cast<std::int64_t>(reference.series.size());
+    for (const ReferenceConvention& met : reference.conventions) result.conventions.push_back(told(met));
     result.cpu_seconds = cpu_seconds;
     for (std::size_t moment = 0; moment < reference.samples.size(); ++moment) {
         if (compared.times.goes_on(moment)) continue;

@@ -157,4 +157,9 @@ inline constexpr double sunk = 0.5;
 /// Change [largest kinetic energy] of energy that counts as not kept: it is seen on a plot.
 inline constexpr double much_energy = 0.01;
 
+// Verdicts.
+
+/// Bodies [1] that a sentence names, with their velocities: more are no sentence.
+inline constexpr std::size_t most_bodies_in_words = 3;
+
 }  // namespace carom::study

@@ -1,3 +1,4 @@
+#include "study/convention_words.hpp"
 #include "study/cost_ratio.hpp"
 #include "study/method_verdict.hpp"
 #include "study/search_words.hpp"
@@ -171,6 +172,7 @@ std::vector<std::string> verdict(const Scene& scene, const Comparison& compariso
     std::vector<std::string> result{first_sentence(words)};
     if (comparison.reference.until < comparison.until) result.push_back(reference_sentence(words));
     if (words.event() != nullptr && words.event()->divergence_time) result.push_back(chaos_sentence(words));
+    add_if_any(result, convention_sentence(scene, words));
     add_if_any(result, own_faults_sentence(words));
     std::set<std::string> seen;
     for (const CompareRow& row : comparison.rows)
