@@ -112,8 +112,10 @@ std::optional<int> BlockCholesky::parent_of(int block) const
 double BlockCholesky::update_cost(const Column& column) const
 {
     double cost = 0;
-    for (std::optional<int> j = first_of(column); j; j = parent_of(*j))
-        cost += 18 * (pattern_->begin[at(*j) + 1] - pattern_->begin[at(*j)]);
+    for (std::optional<int> j = first_of(column); j; j = parent_of(*j)) {
+        const int size = pattern_->begin[at(*j) + 1] - pattern_->begin[at(*j)];
+        cost += 18 * size;
+    }
     return cost;
 }
 
