@@ -1,12 +1,12 @@
 /// \file
-/// Which contacts carry force during a step of constrained motion, and how long the same ones do.
+/// The contacts that carry force during a step of constrained motion, and how long the same ones do.
 #pragma once
 
 #include "reference/constrained.hpp"
 
 namespace carom::reference {
 
-/// What a step begins with.
+/// The state in which a step begins.
 template <class Real>
 struct Constrained {
     Group<Real> group;          ///< all its links are closed and still

@@ -1,5 +1,5 @@
 /// \file
-/// What the integrator knows of a sphere and of a plane, and how contacts change velocities.
+/// Spheres and planes as the integrator knows them, and the change of velocity in one contact.
 #pragma once
 
 #include <carom/scene.hpp>
@@ -86,7 +86,7 @@ inline ContactLaw contact_law(const Scene& scene, BodyId a, BodyId b)
                        : plane_contact_law(scene, material, scene.planes[b - spheres].material);
 }
 
-/// What a contact with normal r takes from the relative velocity v: (1+e) of v_n and (1-alpha) of v_t.
+/// Change of the relative velocity v, negative, in a contact with normal r: (1+e) of v_n and (1-alpha) of v_t.
 template <class Real>
 Vector<Real> velocity_change(const Vector<Real>& v, const Vector<Real>& r, const ContactLaw& law)
 {

@@ -43,7 +43,7 @@ void project(const Group<Real>& g, std::vector<Vector<Real>>& x, std::vector<Vec
     now.push(v, balance(now.coupling(), now.rates(v), first(now.links.size())));
 }
 
-/// How long coefficients fade: until the last two are below the tolerance.
+/// The time for which coefficients fade: until the last two are below the tolerance.
 template <class Real>
 Real fades(const std::vector<Vector<Real>>& path, const Real& radius, const Real& most)
 {

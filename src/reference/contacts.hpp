@@ -56,8 +56,8 @@ public:
         return rest_speed<Real> * (j < count() ? Real(balls_[i].fastest + balls_[j].fastest) : balls_[i].fastest);
     }
 
-    /// What persistent contacts link to the first bodies, which move, and the contact that closes at t if one does,
-    /// with those that belong to its instant.
+    /// Bodies that persistent contacts link to the first ones, which move, and the contact that closes at t if one
+    /// does, with those that belong to its instant.
     Group<Real> group(const std::vector<BodyId>& first, const Real& t, const std::optional<Pair>& closes) const
     {
         Real speed = 0;

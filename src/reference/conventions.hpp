@@ -1,5 +1,5 @@
 /// \file
-/// What the impact operators say of one instant of several contacts.
+/// Answers of the impact operators to one instant of several contacts.
 #pragma once
 
 #include "reference/impact.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// What an impact does to the spheres of a group.
+/// The impact of one contact and of several, on the spheres of a group.
 #pragma once
 
 #include "reference/group.hpp"

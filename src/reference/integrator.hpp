@@ -121,7 +121,7 @@ private:
         return end;
     }
 
-    /// What is not done here.
+    /// Why this impact is not done here; nothing if it is.
     const char* beyond(const Group<Real>& g) const
     {
         if (g.links.size() == 1) return nullptr;
@@ -163,7 +163,7 @@ private:
         const Real w = l.law.restitution * before[0], pull = pull_on(l, v[0]);
         return pull > 0 && w * w < 2 * pull * series_height * balls_[g.bodies[0]].radius;
     }
-    /// What presses a sphere with velocity v on an immovable body [length/time^2].
+    /// Acceleration that presses a sphere with velocity v on an immovable body [length/time^2].
     Real pull_on(const Link<Real>& l, const Vector<Real>& v) const
     {
         const Vector<Real> w = v - along(v, l.n);

@@ -14,14 +14,14 @@ namespace carom::reference {
 inline constexpr unsigned low_digits = 50;
 /// Digits [1] of the run that gives the answer.
 inline constexpr unsigned high_digits = 100;
-/// Which of the two a number type is [1].
+/// Number types [1] of the higher of the two.
 template <class Real>
 inline constexpr bool is_high = std::numeric_limits<Real>::digits10 >= high_digits;
 /// Closing speed [fastest that either body has been] at which bounces are over: time and place of rest are off by about
 /// as much, while doubles end at 1e-16.
 template <class Real>
 inline constexpr double rest_speed = is_high<Real> ? 1e-30 : 1e-27;
-/// What the last terms of a step of constrained motion may make [radius]: less than bounces, for there are many steps.
+/// Way [radius] that the last terms of a step of constrained motion may make: less than bounces, for steps are many.
 template <class Real>
 inline constexpr double step_tolerance = is_high<Real> ? 1e-36 : 1e-28;
 /// Terms [1] of a step of constrained motion. n terms go 10^(-digits/n) of the radius of convergence in n^2 operations:
@@ -31,7 +31,7 @@ inline constexpr std::size_t step_terms = is_high<Real> ? 42 : 32;
 /// Corrections [1] that put contacts back after a step: each doubles the digits, of which there are at least 28.
 inline constexpr int projections = 2;
 
-// What ends a reference.
+// The ends of a reference.
 
 /// Bound [smallest radius] beyond which there is no reference: a thousandth of the steppers' errors.
 inline constexpr double worst_bound = 1e-6;
@@ -70,21 +70,21 @@ inline constexpr double last_digit = is_high<Real> ? 1e-99 : 1e-49;
 /// Halvings of an interval in which a polynomial is not monotone [1]: 1e-24 of it is a graze.
 inline constexpr int most_halvings = 80;
 
-// What is 0 in 50 digits, which leave errors near 1e-50 of the scales below.
+// Zero in 50 digits, which leave errors near 1e-50 of the scales below.
 
 /// Gaps, rates and speeds [their scale] that are rounding: the scene's doubles come in steps of 1e-16, and 20 digits
 /// are left for what a run makes of its roundings.
 inline constexpr double rounding = 1e-30;
 /// The square of it, for (r.v)^2 [r^2 v^2].
 inline constexpr double rounding_square = 1e-60;
-/// What a complementarity problem may leave [its largest rate]: halfway between doubles and 50 digits.
+/// Rate [largest] that a complementarity problem may leave: halfway between doubles and 50 digits.
 inline constexpr double residual_left = 1e-25;
 /// Rate [fastest that closes] that counts as closing in an impact of several contacts: ten times what may be left.
 inline constexpr double least_closing = 1e-24;
 /// Terms of a force or a gap [largest term] at its change of sign: a step leaves errors of 1e-28.
 inline constexpr double sign_change = 1e-20;
 
-// What the scene's doubles cannot tell apart.
+// Differences that the scene's doubles cannot tell.
 
 /// Gap [smaller radius] of contacts of one instant, unless the scene says otherwise: 10^4 roundings of a place.
 inline constexpr double tie = 1e-12;
@@ -108,7 +108,7 @@ inline constexpr double jam = 1e-7;
 /// Weights [their sum] in it that are none.
 inline constexpr double jam_weight = 1e-9;
 
-// What is told.
+// The answer.
 
 /// Rounding of a sample to double [itself].
 inline constexpr double rounding_of_double = 0x1p-53;

@@ -1,5 +1,5 @@
 /// \file
-/// Which pairs cannot meet, told in double with margins far above its rounding. It only ever saves work.
+/// Pairs that cannot meet, told in double with margins far above its rounding. It only ever saves work.
 #pragma once
 
 #include <carom/types.hpp>

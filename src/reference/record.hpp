@@ -1,5 +1,5 @@
 /// \file
-/// What a run tells of its events.
+/// The events of a run as they are told.
 #pragma once
 
 #include "reference/contacts.hpp"

@@ -51,7 +51,8 @@ Chosen jammed(const Matrix<Real>& H, Patience& patience)
 template <class Real>
 Numbers<Real> reflections(const ImpactProblem<Real>& problem, Patience& patience)
 {
-    const auto& [G, c0, e, closing] = problem;
+    const Matrix<Real>& G = problem.G;
+    const Numbers<Real>&c0 = problem.c, &e = problem.e;
     const std::size_t m = c0.size();
     const Numbers<Real> inelastic = problem.inelastic(patience);
     Real weight = 0, restitution = 0;
