@@ -30,7 +30,7 @@ NumericContact numeric_contact(const State& state, const ContactComponent& compo
     }
     out.reach = state.radius(component.id_of_a(contact)) + state.radius(contact.partner.index);
     if (number[a] && number_b)
-        out.partner = MovingSphere{*number_b};
+        out.partner = ClusterBody{*number_b};
     else if (const std::optional<int> other = number[a] ? contact.b : contact.a)
         out.partner = FixedSphere{place(static_cast<std::size_t>(*other))};
     else

@@ -19,7 +19,7 @@ struct NumericBody {
 };
 
 /// What a body of the cluster touches: another one, or what does not move.
-struct MovingSphere {
+struct ClusterBody {
     int body = 0;
 };
 struct FixedSphere {
@@ -32,13 +32,13 @@ struct FixedPlane {
 /// A persistent contact.
 struct NumericContact {
     int a = 0;
-    std::variant<MovingSphere, FixedSphere, FixedPlane> partner;
+    std::variant<ClusterBody, FixedSphere, FixedPlane> partner;
     double reach = 0;  ///< r_a + r_b, or the height of the centre along the normal of a plane, when closed [length]
     double force = 0;  ///< a guess of what it carries, which saves time [mass length/time^2]
 
     std::optional<int> b() const
     {
-        const auto* moving = std::get_if<MovingSphere>(&partner);
+        const auto* moving = std::get_if<ClusterBody>(&partner);
         return moving ? std::optional(moving->body) : immovable;
     }
     double gap(std::span<const NumericBody> bodies) const;  ///< [length]

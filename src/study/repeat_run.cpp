@@ -1,5 +1,7 @@
 #include "study/repeat_run.hpp"
 
+#include "study/tolerances.hpp"
+
 #include <carom/metrics.hpp>
 
 #include <algorithm>
@@ -57,7 +59,7 @@ double largest_distance(std::span<const BodyState> shifted, std::span<const Body
         const Vec3 there = states[i].position + shift;
         const double size = std::max(there.lpNorm<Eigen::Infinity>(), shift.lpNorm<Eigen::Infinity>());
         const double distance = (shifted[i].position - there).lpNorm<Eigen::Infinity>();
-        if (!(distance <= size * std::numeric_limits<double>::epsilon())) largest = std::max(largest, distance);
+        if (!(distance <= spacing_of_doubles * size)) largest = std::max(largest, distance);
     }
     return largest;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 namespace carom::study {
 
@@ -147,6 +148,11 @@ inline constexpr double same_step = 1e-12;
 inline constexpr double smallest_named_length = 1e-9;
 /// Length [m] from which on metres are written.
 inline constexpr double metres_from = 1;
+
+// Repeated runs (repeat_run.cpp).
+
+/// Distance [largest coordinate] within which two places that are written as doubles are one: an ulp at most.
+inline constexpr double spacing_of_doubles = std::numeric_limits<double>::epsilon();
 
 // Stress cases (stress.cpp).
 
