@@ -10,10 +10,10 @@ namespace carom::study {
 namespace {
 
 /// All impacts of the reference, bounces of series among them as far as a sample can tell them apart, ascending.
-std::vector<double> impact_times(const Scene& scene, const Reference& reference, double interval)
+std::vector<double> impact_times(const Reference& reference, double interval)
 {
     std::vector<double> times;
-    for (const auto& [pair, impacts] : expected_impacts(scene, reference, shortest_sampled_flight * interval))
+    for (const auto& [pair, impacts] : expected_impacts(reference, shortest_sampled_flight * interval))
         times.insert(times.end(), impacts.times.begin(), impacts.times.end());
     std::sort(times.begin(), times.end());
     return times;
@@ -75,7 +75,7 @@ ComparedReference make_compared_reference(const Scene& scene, double until, std:
     }
     const double end = is_spread ? result.until : std::min(until, result.reference.until);
     const double interval = end / static_cast<double>(intervals);
-    const std::vector<double> impacts = impact_times(scene, result.reference, interval);
+    const std::vector<double> impacts = impact_times(result.reference, interval);
     SampleTimes times =
         is_spread ? beside_impacts(result.times.grid, interval, impacts) : sample_times(end, intervals, impacts);
     if (times.asked == result.times.asked) return result;

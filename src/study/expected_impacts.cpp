@@ -1,4 +1,3 @@
-#include "core/expect.hpp"
 #include "study/matching.hpp"
 #include "study/tolerances.hpp"
 
@@ -20,14 +19,21 @@ std::ptrdiff_t previous_of_body(const std::vector<ReferenceImpact>& impacts, std
     return -1;
 }
 
+/// The pair as impacts name it.
+std::pair<BodyId, BodyId> pair_of(const ReferenceSeries& series)
+{
+    return std::minmax(series.body, series.plane);
+}
+
 /// First of the pair's impacts, at or before the start of `series`, from which on all flights are shorter than
 /// `shortest_flight`.
 double tail_start(const Reference& reference, const ReferenceSeries& series, double shortest_flight)
 {
+    const std::pair<BodyId, BodyId> pair = pair_of(series);
     const auto& impacts = reference.impacts;
     std::ptrdiff_t current = -1;
     for (std::size_t i = 0; i < impacts.size(); ++i)
-        if (impacts[i].a == series.body && impacts[i].b == series.plane && impacts[i].time <= series.start)
+        if (std::pair(impacts[i].a, impacts[i].b) == pair && impacts[i].time <= series.start)
             current = static_cast<std::ptrdiff_t>(i);
     double start = series.start;
     while (current >= 0) {
@@ -35,7 +41,7 @@ double tail_start(const Reference& reference, const ReferenceSeries& series, dou
         const std::ptrdiff_t before = previous_of_body(impacts, current, series.body);
         if (before < 0) break;
         const ReferenceImpact& earlier = impacts[static_cast<std::size_t>(before)];
-        const bool same_pair = earlier.a == series.body && earlier.b == series.plane;
+        const bool same_pair = std::pair(earlier.a, earlier.b) == pair;
         if (!same_pair || start - earlier.time >= shortest_flight) break;
         current = before;
     }
@@ -67,7 +73,7 @@ bool broken_off(const ReferenceSeries& series)
 void add_series(const Reference& reference, double shortest_flight, ExpectedImpacts& expected)
 {
     for (const ReferenceSeries& series : reference.series) {
-        PairImpacts& pair = expected[{series.body, series.plane}];
+        PairImpacts& pair = expected[pair_of(series)];
         double begin = series.start;
         if (shortest_flight > 0) {
             const std::vector<double> bounces = expand(series, shortest_flight);
@@ -77,7 +83,7 @@ void add_series(const Reference& reference, double shortest_flight, ExpectedImpa
         // A series that another body broke off ends there; a complete one leaves a contact that lasts.
         double end = broken_off(series) ? series.end + shortest_flight : std::numeric_limits<double>::infinity();
         for (const ReferenceImpact& impact : reference.impacts)
-            if (impact.a == series.body && impact.b == series.plane && impact.time > series.end) {
+            if (std::pair(impact.a, impact.b) == pair_of(series) && impact.time > series.end) {
                 end = std::min(end, impact.time);
                 break;
             }
@@ -85,31 +91,6 @@ void add_series(const Reference& reference, double shortest_flight, ExpectedImpa
         std::erase_if(pair.times, [&](double t) { return t > begin && t < end && t <= series.end; });
         pair.exempt.push_back({begin, end});
     }
-}
-
-bool persists(const Scene& scene, const BodyState& state, std::size_t sphere, const Plane& plane)
-{
-    if (state.mode != Mode::sliding && state.mode != Mode::resting) return false;
-    return std::abs(plane_gap(plane, scene.spheres[sphere], state.position)) <=
-           lasting_contact * scene.spheres[sphere].radius;
-}
-
-void add_persistent(const Scene& scene, const Reference& reference, ExpectedImpacts& expected)
-{
-    CAROM_EXPECT(reference.samples.size() <= reference.sample_times.size());
-    const std::size_t n = reference.samples.size();
-    for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t s = 0; s < scene.spheres.size(); ++s)
-            for (std::size_t p = 0; p < scene.planes.size(); ++p) {
-                if (!persists(scene, reference.samples[k][s], s, scene.planes[p])) continue;
-                const TimeSpan span{k > 0 ? reference.sample_times[k - 1] : 0,
-                                    k + 1 < n ? reference.sample_times[k + 1] : reference.until};
-                auto& exempt = expected[{static_cast<BodyId>(s), scene.plane_body(p)}].exempt;
-                if (!exempt.empty() && span.begin >= exempt.back().begin && span.begin <= exempt.back().end)
-                    exempt.back().end = std::max(exempt.back().end, span.end);
-                else
-                    exempt.push_back(span);
-            }
 }
 
 /// Exempts contacts that persist, and before them the bounces that led to them once their flights were shorter than
@@ -130,12 +111,11 @@ void add_contacts(const Reference& reference, double shortest_flight, ExpectedIm
 
 }  // namespace
 
-ExpectedImpacts expected_impacts(const Scene& scene, const Reference& reference, double shortest_flight)
+ExpectedImpacts expected_impacts(const Reference& reference, double shortest_flight)
 {
     ExpectedImpacts expected;
     for (const ReferenceImpact& impact : reference.impacts) expected[{impact.a, impact.b}].times.push_back(impact.time);
     add_series(reference, shortest_flight, expected);
-    add_persistent(scene, reference, expected);
     for (auto& [pair, impacts] : expected) std::sort(impacts.times.begin(), impacts.times.end());
     add_contacts(reference, shortest_flight, expected);
     return expected;

@@ -32,9 +32,9 @@ using ExpectedImpacts = std::map<Pair, PairImpacts>;
 /// The reference's impacts for a method that resolves flights of `shortest_flight` (4 steps; 0 for the event-driven
 /// method, for which series stay closed). Series are expanded down to such flights. What is shorter is the tail: it
 /// begins at the last bounce that was preceded by a long enough flight, wherever the reference chose to start the
-/// series, and it lasts until the pair's next impact after the series. Persistent contacts are exempt between the
-/// samples that show them, one sample beyond on both sides.
-ExpectedImpacts expected_impacts(const Scene& scene, const Reference& reference, double shortest_flight);
+/// series, and it lasts until the pair's next impact after the series. Persistent contacts are exempt, as the
+/// reference lists them.
+ExpectedImpacts expected_impacts(const Reference& reference, double shortest_flight);
 
 /// An impact or rest of a run, as Event.
 struct FoundImpact {

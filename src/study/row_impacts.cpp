@@ -88,7 +88,7 @@ void RowImpacts::put_into(CompareRow& row, double horizon) const
 {
     const StepOptions* step = step_options(task_.method);
     const ExpectedImpacts expected =
-        expected_impacts(task_.scene, task_.reference, step != nullptr ? shortest_flight_steps * step->dt : 0);
+        expected_impacts(task_.reference, step != nullptr ? shortest_flight_steps * step->dt : 0);
     const IsAbsorbed absorbed = [&](const Pair& pair, double time) {
         return is_absorbed(task_.scene, task_.truth, pair.first, pair.second, time);
     };

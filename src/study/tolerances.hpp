@@ -39,8 +39,6 @@ inline constexpr double match_part_of_run = 1e-6;
 inline constexpr double shortest_flight_steps = 4;
 /// Length of a series of bounces [1, part of it] that rounding may take from it; a body that breaks one off takes more.
 inline constexpr double series_rounding = 1e-9;
-/// Gap [radius] of a contact that lasts: far above rounding, far below anything seen.
-inline constexpr double lasting_contact = 1e-6;
 /// Mismatches [impacts] that are gathered before they are sorted for the 200 that are listed: each is then sorted once
 /// or twice.
 inline constexpr std::size_t mismatches_between_sorts = 2000;
