@@ -13,6 +13,7 @@ import { theme } from "./theme.js";
 const SYMBOLS_A_LINE = 6;
 const SPAN_FOR_LOG = 100; // lines that differ by more than this are drawn on a logarithmic axis at first
 const NAME = { size: 13, weight: 700 };
+const ROUNDING = 1e-14; // relative energy errors up to this are no picture
 const DECADES = 18; // shown at most below the largest value
 
 /** What to draw: {"step:0.001"} or {"method:pbd"}, with names and styles of the lines. */
@@ -66,6 +67,10 @@ export function timeFigure(comparison, what) {
   if (!series.length) return null;
   if (what.quantity === "penetration" && series.every((s) => s.penetration.every((v) => !v))) {
     return figure({ title: what.title, caption: what.caption, className: "full", body: [h("p", {}, "None: no run had an overlap at any sample.")] });
+  }
+  const largest = series.flatMap((s) => s[what.quantity]).filter(isNumber).reduce((most, v) => Math.max(most, Math.abs(v)), 0);
+  if (what.quantity === "energy_error" && largest <= ROUNDING) {
+    return figure({ title: what.title, caption: what.caption, className: "full", body: [h("p", {}, `None but rounding: at most ${formatNumber(largest, 2)} in all runs.`)] });
   }
   const { steps, methods } = selections(comparison, series);
   const verdicts = steps.find(({ value }) => value === `step:${comparison.step_shown}`);
