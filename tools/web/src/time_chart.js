@@ -70,7 +70,7 @@ export function timeFigure(comparison, what) {
   }
   const largest = series.flatMap((s) => s[what.quantity]).filter(isNumber).reduce((most, v) => Math.max(most, Math.abs(v)), 0);
   if (what.quantity === "energy_error" && largest <= ROUNDING) {
-    return figure({ title: what.title, caption: what.caption, className: "full", body: [h("p", {}, `None but rounding: at most ${formatNumber(largest, 2)} in all runs.`)] });
+    return figure({ title: what.title, caption: what.caption, className: "full", body: [h("p", {}, largest === 0 ? "None in any run." : `None but rounding: at most ${formatNumber(largest, 2)} in all runs.`)] });
   }
   const { steps, methods } = selections(comparison, series);
   const verdicts = steps.find(({ value }) => value === `step:${comparison.step_shown}`);
