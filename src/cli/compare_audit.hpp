@@ -13,7 +13,7 @@ std::string share_cell(const std::optional<Audit>& audit, std::int64_t Audit::*p
                        std::int64_t Audit::*whole = &Audit::audited);
 /// "27 % (25-29)", with the interval of 95 %.
 std::string share_with_interval(const std::optional<Audit>& audit, std::int64_t Audit::*part);
-/// What was asked about and what was not, a line with its end; empty without an audit.
+/// Line on what was asked about and what was not, with its end; empty without an audit.
 std::string audit_line(const Comparison& comparison);
 
 }  // namespace carom::cli

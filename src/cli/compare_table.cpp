@@ -75,7 +75,7 @@ std::string status_text(const CompareRow& row)
     return row.status == Status::reached_end ? status : status + " at " + time_text(row.time, "");
 }
 
-/// What a row has in a column of words; "-" for nothing.
+/// Words of a row in a column; "-" for nothing.
 std::string word(std::string_view column, const CompareRow& row)
 {
     const std::string text = std::get<std::string>(study::compare_column(column).cell(row));

@@ -6,7 +6,7 @@ namespace carom {
 
 namespace {
 
-/// What counts the events of a kind, in the order of EventKind.
+/// Counters of the kinds of events, in the order of EventKind.
 constexpr std::int64_t Counts::*counters[] = {&Counts::impacts, &Counts::rests, &Counts::releases, &Counts::guarded,
                                               &Counts::settles};
 static_assert(std::size(counters) == event_kind_names.size());

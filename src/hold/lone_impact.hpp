@@ -17,7 +17,7 @@ struct LoneImpact {
     double early = 0;
 };
 
-/// What becomes of the impact `key` if it is a lone one; nothing is true of the others, which thresholds are for.
+/// Fate of the impact `key` if it is a lone one; nothing is true of the others, which thresholds are for.
 /// \param a,b flights of its spheres at this instant \param returns whether its time is that of a low_return
 LoneImpact lone_impact(const State& state, const Key& key, const Flight& a, const Flight& b,
                        const SphereEncounter& encounter, bool returns, const Neighbourhood& neighbourhood);

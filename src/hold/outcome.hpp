@@ -16,7 +16,7 @@ struct ForceChange {
     std::vector<PersistentContact> contacts{};
 };
 
-/// What an event counts beside its changes.
+/// Counts of an event beside its changes.
 struct EventTally {
     EnergyTaken taken;
     std::int64_t numeric_steps = 0;

@@ -36,7 +36,7 @@ Json share_json(std::int64_t part, std::int64_t whole)
     return Json::array({share.value, share.low, share.high});
 }
 
-/// What the audit's counts are out of: shares with intervals of 95 %.
+/// Shares of the audit's counts, with intervals of 95 %.
 Json audit_json(const std::optional<Audit>& audit)
 {
     if (!audit) return nullptr;

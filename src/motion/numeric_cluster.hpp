@@ -18,7 +18,7 @@ struct NumericBody {
     double inverse_mass = 1;       ///< > 0 [1/mass]
 };
 
-/// What a body of the cluster touches: another one, or what does not move.
+/// Partner of a body of the cluster in a contact: another one, or what does not move.
 struct ClusterBody {
     int body = 0;
 };

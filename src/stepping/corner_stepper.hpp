@@ -126,7 +126,7 @@ private:
             return;
         }
         contacts_.stop(system, next.a, next.b, next.time);
-        // What rested and is pushed on by a neighbour slower than gravity would push it does not rebound.
+        // A body that rested and is pushed on by a neighbour slower than gravity would push it does not rebound.
         const double g = std::sqrt(system.motion.gravity().squaredNorm());
         const bool is_pushed = loosened_.contains({next.a, next.b}) && rate > -substep.length * g;
         const bool rebounds = !is_spent && !is_pushed && rate < -rest;

@@ -17,7 +17,7 @@ std::string text(double value)
 
 namespace {
 
-/// Who has an order that not every method has.
+/// Methods that have an order which not every method has.
 std::string owners(ContactOrder order)
 {
     return order == ContactOrder::jacobi ? "pbd has" : "velocity and moreau have";

@@ -151,7 +151,7 @@ private:
         if (propagates) propagate(system);
     }
 
-    /// What is still lacking is given from the ground up, at the cost of what is above.
+    /// Impulses that are still lacking, given from the ground up, at the cost of what is above.
     void propagate(System& system)
     {
         levels_.propagate(system.bodies, [&](std::size_t begin, std::size_t end) {

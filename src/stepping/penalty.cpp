@@ -65,7 +65,7 @@ private:
         bool begins;    ///< no force was between the two before, and they approach
     };
 
-    /// Of the present positions and velocities.
+    /// Values for the present positions and velocities.
     void find_forces(System& system)
     {
         contacts_.clear();
@@ -149,7 +149,7 @@ StiffestContact stiffest_contact(const Scene& scene)
     return stiffest;
 }
 
-/// What is wrong with the stiffness, empty if nothing.
+/// Problem of the stiffness, empty if there is none.
 std::string stiffness_problem(const Scene& scene, const Penalty& method)
 {
     if (!method.stiffness) return "";

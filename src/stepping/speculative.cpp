@@ -6,11 +6,11 @@
 /// fast passes through anything thin. The rest of the step after a contact is lost, and the constraint is that of a
 /// plane through the nearest point: a sphere that would have passed beside another is stopped.
 ///
-/// What rebounds is this project's own: velocities at the end of the step are those of one complementarity problem,
-/// 0 <= impulse _|_ c+ + e min(c-, 0) >= 0, for the contacts that were needed and that closed or rested at the start of
-/// the step (c- <= |g| h). So equal restitutions of 1 keep the energy. A contact that opened, and closed only because
-/// another one struck within the step, loses its impulse again: it is met as an impact in the step to come.
-/// An overlap is parted by `overlap_recovery` of it a step, and that leaves no velocity.
+/// The choice of what rebounds is this project's own: velocities at the end of the step are those of one
+/// complementarity problem, 0 <= impulse _|_ c+ + e min(c-, 0) >= 0, for the contacts that were needed and that closed
+/// or rested at the start of the step (c- <= |g| h). So equal restitutions of 1 keep the energy. A contact that opened,
+/// and closed only because another one struck within the step, loses its impulse again: it is met as an impact in the
+/// step to come. An overlap is parted by `overlap_recovery` of it a step, and that leaves no velocity.
 ///
 /// Velocities are those with which the step is made (FreeMotion::kick_before): with Integrator::parabola the mean ones,
 /// so that flight is exact and gaps close as planned.

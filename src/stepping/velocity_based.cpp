@@ -84,7 +84,7 @@ private:
 
     bool may_go_on(System& system) const { return !contacts_.empty() && system.patience.lasts_for(contacts_.size()); }
 
-    /// What still approaches is cancelled from the ground up, at the cost of what is above.
+    /// Approaches that are left, cancelled from the ground up, at the cost of what is above.
     void propagate(System& system, const Substep& substep)
     {
         levels_.propagate(system.bodies, [&](std::size_t begin, std::size_t end) {

@@ -10,7 +10,7 @@
 
 namespace carom::study {
 
-/// What a method made of one impact.
+/// Answer of a method to one impact.
 enum class Answer : std::uint8_t {
     found,   ///< answered in its step, with the right velocity after two
     late,    ///< answered in the step after it

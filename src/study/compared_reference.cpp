@@ -36,7 +36,7 @@ std::size_t spare_samples(const Scene& scene, std::size_t intervals)
     return std::clamp<std::size_t>(most_reference_states / states, 1, most_spare_samples);
 }
 
-/// Of all samples, those that are nearest to equal intervals from the first to the last. \pre intervals < samples
+/// Those of all samples that are nearest to equal intervals from the first to the last. \pre intervals < samples
 void keep_spread(ComparedReference& compared, std::size_t intervals)
 {
     Reference& reference = compared.reference;

@@ -1,5 +1,5 @@
 /// \file
-/// What a row costs beside the event run.
+/// Cost of a row beside the event run.
 #pragma once
 
 #include <carom/study.hpp>

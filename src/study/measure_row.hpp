@@ -8,7 +8,7 @@
 
 namespace carom::study {
 
-/// What all rows of a comparison share. Everything outlives the rows.
+/// Things that all rows of a comparison share. Everything outlives the rows.
 struct RowMeasurer {
     const Scene& scene;
     const CompareOptions& options;

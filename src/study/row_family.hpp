@@ -10,7 +10,7 @@
 
 namespace carom::study {
 
-/// What the rows of a family have in common.
+/// Settings that the rows of a family have in common.
 using Family = std::tuple<std::string, std::optional<int>, std::optional<int>, std::optional<ContactOrder>,
                           std::optional<Integrator>>;
 

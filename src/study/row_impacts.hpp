@@ -18,7 +18,7 @@ public:
     void add(const Event& event, double horizon);
     /// A series that is still going on at the end of the run stands for its bounces as a finished one does.
     void end_open_series(const Outcome& outcome);
-    /// What was found, missed and invented up to the horizon; for the event method also its audit.
+    /// Impacts found, missed and invented up to the horizon; for the event method also its audit.
     void put_into(CompareRow& row, double horizon) const;
 
 private:

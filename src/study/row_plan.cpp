@@ -11,7 +11,7 @@ namespace carom::study {
 
 namespace {
 
-/// What makes two runs of one method differ.
+/// Settings by which two runs of one method differ.
 auto key_of(const RowPlan& plan)
 {
     const StepOptions* step = step_options(plan.method);

@@ -93,7 +93,7 @@ std::string event_sentence(const VerdictWords& words, const CompareRow& event)
     return text + ".";
 }
 
-/// What the event method itself missed, met late or took for rest, as for anybody; empty if nothing.
+/// Sentence on what the event method itself missed, met late or took for rest, as for anybody; empty if nothing.
 std::string own_faults_sentence(const VerdictWords& words)
 {
     if (words.event() == nullptr || !words.event()->audit) return "";

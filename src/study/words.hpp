@@ -17,7 +17,7 @@ std::string time_text(double time, const std::string& unit);
 /// A step: 1/n if it is one and that is shorter than its decimal; else a decimal of at most four digits, to which steps
 /// of a logarithmic range are rounded.
 std::string step_text(double dt);
-/// What a row has beside method and step, where it is not what is built in: " in 4 substeps with 2 passes, parabola".
+/// Settings of a row beside method and step that are not built in: " in 4 substeps with 2 passes, parabola".
 std::string variant_text(const CompareRow& row);
 /// A length in the scene's unit, to three digits; metres are written as mm, cm and so on.
 std::string length_text(double value, const std::string& unit);

@@ -93,7 +93,7 @@ TEST_CASE("on a thick wall without gravity every impact is found, half a step la
         const Audit audit = audit_of(scene, method, 0.5);
         CHECK(audit.found == audit.audited);
         REQUIRE(audit.delay);
-        // Of n uniform delays the mean is within 4 sigma = 4 / sqrt(12 n).
+        // The mean of n uniform delays is within 4 sigma = 4 / sqrt(12 n).
         const double expected = method == std::string("bisection") ? 0 : 0.5;
         CHECK(*audit.delay == Approx(expected).margin(4 / std::sqrt(12.0 * static_cast<double>(audit.audited))));
     }
