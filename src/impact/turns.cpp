@@ -20,7 +20,7 @@ double length(const InPlane& x)
     return std::sqrt(x.p * x.p + x.q * x.q);
 }
 
-/// By an angle of this cosine and sine.
+/// Rotation by an angle of this cosine and sine.
 struct Rotation {
     double cosine = 1, sine = 0;
 

@@ -6,6 +6,7 @@
 #include "study/share.hpp"
 
 #include "io/lift_json.hpp"
+#include "io/vector_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -85,11 +86,6 @@ Json convergence_json(const Convergence& fit)
     return {{"method", fit.method},           {"variant", fit.variant}, {"order", fit.order},
             {"uncertainty", fit.uncertainty}, {"steps", fit.steps},     {"stalled", fit.stalled},
             {"last_error", fit.last_error}};
-}
-
-Json vector_json(const Vec3& v)
-{
-    return Json::array({v.x(), v.y(), v.z()});
 }
 
 Json convention_json(const Scene& scene, const Convention& each)

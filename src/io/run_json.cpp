@@ -3,6 +3,7 @@
 #include "io/json_text.hpp"
 #include "io/lift_json.hpp"
 #include "io/limits.hpp"
+#include "io/vector_json.hpp"
 
 #include <fmt/format.h>
 
@@ -15,11 +16,6 @@ namespace carom::io {
 namespace {
 
 using Json = nlohmann::ordered_json;  // dumps numbers that are not finite as null
-
-Json vector_json(const Vec3& v)
-{
-    return {v[0], v[1], v[2]};
-}
 
 Json optional_json(const std::optional<double>& value)
 {

@@ -1,6 +1,7 @@
 #include "io/scene_json.hpp"
 
 #include "core/names.hpp"
+#include "io/vector_json.hpp"
 
 #include <carom/error.hpp>
 
@@ -11,11 +12,6 @@ namespace carom::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json vector_json(const Vec3& v)
-{
-    return {v[0], v[1], v[2]};
-}
 
 void put(Json& json, const char* key, const std::optional<double>& value)
 {

@@ -95,7 +95,7 @@ Real largest(const std::vector<Vector<Real>>& v)
     return most;
 }
 
-/// Those of the group's bodies that its links connect, part by part, each with its links.
+/// Bodies of the group that its links connect, part by part, each with its links.
 template <class Real>
 std::vector<Group<Real>> parts(const Group<Real>& g)
 {

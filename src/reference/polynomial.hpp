@@ -50,7 +50,7 @@ Real root_between(const Polynomial<Real>& p, const Polynomial<Real>& d, Real low
     return t;
 }
 
-/// Where p, of a low degree, changes its sign in (0, end), ascending: between the roots of its derivative, which are
+/// Sign changes of p, of a low degree, in (0, end), ascending: between the roots of its derivative, which are
 /// found between those of the next one, down to a line. `roots` counts brackets solved.
 template <class Real>
 std::vector<Real> sign_changes(const Polynomial<Real>& p, const Real& end, std::int64_t& roots)

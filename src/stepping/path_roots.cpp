@@ -39,7 +39,7 @@ bool keeps_sign(const Cubic& c, double end)
     return least > 0;
 }
 
-/// Where a polynomial of this degree changes its sign in (0, end): one bracket between any two neighbouring roots of
+/// Sign changes of a polynomial of this degree in (0, end): one bracket between any two neighbouring roots of
 /// its derivative.
 Times sign_changes(const Cubic& c, std::size_t degree, double end, std::int64_t& evaluations)
 {

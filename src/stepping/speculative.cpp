@@ -132,7 +132,7 @@ private:
         report(system, substep);
     }
 
-    /// Those that were needed and that closed or rested before keep their rows.
+    /// Rows that were needed, of contacts that closed or rested before, are kept.
     void let_go_of_opened(System& system)
     {
         std::erase_if(rows_, [&](const ContactRow& row) {

@@ -46,6 +46,16 @@ inline Scene scene_of(std::vector<Sphere> spheres, std::vector<Plane> planes = {
     return scene;
 }
 
+/// n spheres of radius 0.1 on each other on a floor, under 9.81.
+inline Scene tower(int n, double restitution)
+{
+    std::vector<Sphere> spheres;
+    for (int k = 0; k < n; ++k) spheres.push_back(ball(0.1, Vec3(0, 0, 0.1 + 0.2 * k)));
+    Scene scene = scene_of(std::move(spheres), {wall(Vec3::UnitZ(), 0)}, Vec3(0, 0, -9.81));
+    scene.materials[0].restitution = restitution;
+    return scene;
+}
+
 /// In [0, 1), the same on every standard library.
 inline double uniform(std::mt19937_64& random)
 {

@@ -46,16 +46,6 @@ void check_speeds(const std::vector<double>& found, const std::vector<double>& e
     for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == Approx(expected[i]).margin(1e-12));
 }
 
-/// n balls of radius 0.1 on each other on a floor.
-Scene tower(int n, double restitution)
-{
-    std::vector<Sphere> spheres;
-    for (int k = 0; k < n; ++k) spheres.push_back(ball(0.1, Vec3(0, 0, 0.1 + 0.2 * k)));
-    Scene scene = scene_of(std::move(spheres), {wall(Vec3::UnitZ(), 0)}, earth);
-    scene.materials[0].restitution = restitution;
-    return scene;
-}
-
 /// Highest place in each of `parts` equal parts of a run.
 std::vector<double> peaks(const Scene& scene, const Moreau& method, double time, std::size_t parts)
 {

@@ -12,7 +12,6 @@ using namespace carom::test;
 
 namespace {
 
-const Vec3 earth(0, 0, -9.81);
 constexpr double dt = 1.0 / 60;
 
 Soft soft(double step, int substeps = 4, Integrator integrator = Integrator::euler)
@@ -20,15 +19,6 @@ Soft soft(double step, int substeps = 4, Integrator integrator = Integrator::eul
     Soft method{steps(step, substeps)};
     method.integrator = integrator;
     return method;
-}
-
-Scene tower(int n, double restitution)
-{
-    std::vector<Sphere> spheres;
-    for (int k = 0; k < n; ++k) spheres.push_back(ball(0.1, Vec3(0, 0, 0.1 + 0.2 * k)));
-    Scene scene = scene_of(std::move(spheres), {wall(Vec3::UnitZ(), 0)}, earth);
-    scene.materials[0].restitution = restitution;
-    return scene;
 }
 
 }  // namespace

@@ -34,16 +34,6 @@ Scene passing(double beside)
     return scene_of({ball(0.5, Vec3(-2, 1 + beside, 0), Vec3(10, 0, 0)), ball(0.5, Vec3::Zero())});
 }
 
-/// n balls of radius 0.1 on each other on a floor.
-Scene tower(int n, double restitution)
-{
-    std::vector<Sphere> spheres;
-    for (int k = 0; k < n; ++k) spheres.push_back(ball(0.1, Vec3(0, 0, 0.1 + 0.2 * k)));
-    Scene scene = scene_of(std::move(spheres), {wall(Vec3::UnitZ(), 0)}, earth);
-    scene.materials[0].restitution = restitution;
-    return scene;
-}
-
 }  // namespace
 
 TEST_CASE("speculative: a bullet passes no plate, however thin, at any phase; velocity lets most through", "[stepping]")
