@@ -104,6 +104,14 @@ std::string finding(const Evidence& evidence, Symptom symptom)
     return findings[static_cast<std::size_t>(symptom)];
 }
 
+/// Whether a method looks for contacts at the ends of its steps alone. Causes, those of the cases too, are of such
+/// methods; others search the step for contacts, or foresee them.
+bool looks_at_ends_of_steps(const std::string& method)
+{
+    constexpr std::array<std::string_view, 3> others{"toi", "bisection", "speculative"};
+    return std::find(others.begin(), others.end(), method) == others.end();
+}
+
 /// Causes that hold wherever a case names none of its own, by Symptom.
 constexpr std::array<std::string_view, symptom_names.size()> general_causes{
     "",
@@ -115,8 +123,9 @@ constexpr std::array<std::string_view, symptom_names.size()> general_causes{
     "an overlap that is not undone within a step is answered again",
     "an impact is found up to a step late"};
 
-std::string explain(const StressPart& words, const Evidence& evidence, Symptom symptom)
+std::string explain(const StressPart& words, const std::string& method, const Evidence& evidence, Symptom symptom)
 {
+    if (!looks_at_ends_of_steps(method)) return finding(evidence, symptom);
     const auto own = words.causes.find(symptom);
     const std::string cause(own != words.causes.end() ? own->second : name_of(symptom, general_causes));
     return finding(evidence, symptom) + (cause.empty() ? "" : ": " + cause);
@@ -134,7 +143,7 @@ Result judge(const Case& which, const std::string& method, const std::function<b
     watch.pause();
     result.limit = is_exact(method) ? which.words.exact : which.words.limit;
     result.symptom = diagnose(result.evidence, result.limit);
-    if (!result.passed()) result.reason = explain(which.words, result.evidence, result.symptom);
+    if (!result.passed()) result.reason = explain(which.words, method, result.evidence, result.symptom);
     result.seconds = watch.cpu();
     return result;
 }
