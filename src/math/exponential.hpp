@@ -48,8 +48,7 @@ const std::array<Real, exponential_terms>& inverse_factorials()
 template <class Real>
 const std::array<Real, logarithm_terms>& inverse_odd_numbers()
 {
-    static const auto table =
-        reciprocals<Real, logarithm_terms>([](int n) { return DoubleDouble(2.0 * n + 1); });
+    static const auto table = reciprocals<Real, logarithm_terms>([](int n) { return DoubleDouble(2.0 * n + 1); });
     return table;
 }
 
