@@ -15,6 +15,7 @@ namespace carom {
 struct Features {
     bool gravity = false;  ///< accelerations, series, quartics
     bool pairs = false;    ///< more than one sphere: broad phase, pair tests, stamps, queue
+    bool drag = false;     ///< linear drag: flights that are damped
 
     friend constexpr bool operator==(const Features&, const Features&) = default;
 };
@@ -25,7 +26,7 @@ Features needs(const Scene& scene);
 /// Whether a kernel with features `kernel` runs a scene that needs `needed`.
 constexpr bool covers(const Features& kernel, const Features& needed)
 {
-    return (kernel.gravity || !needed.gravity) && (kernel.pairs || !needed.pairs);
+    return (kernel.gravity || !needed.gravity) && (kernel.pairs || !needed.pairs) && (kernel.drag || !needed.drag);
 }
 
 struct Kernel {

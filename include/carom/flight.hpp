@@ -15,6 +15,8 @@ namespace carom {
 struct RunFrame {
     double epoch_length = 1;  ///< [time], a power of two
     double cell_size = 1;     ///< [length], a power of two
+    /// k >= 0 of the linear drag that damps every motion of the run [1/time].
+    double drag = 0;
     /// The table in which FlightRecord::acceleration counts. Entry 0 is zero [length/time^2].
     std::vector<Vec3> accelerations;
 };
@@ -34,9 +36,10 @@ inline constexpr std::int32_t several_supports = -2;
 /// FlightRecord::acceleration of a flight that has one of its own.
 inline constexpr std::int32_t own_acceleration = -1;
 
-/// A body's motion from `start` until its next flight: x(t) = x0 + v0 (t - start) + a (t - start)^2 / 2, in exact
-/// arithmetic on the numbers here, x0 and v0 each being a sum of doubles (the low parts are 0 in runs of plain
-/// doubles). Origin and start time of the scene play no part.
+/// A body's motion from `start` until its next flight: with t the time since `start`, x = x0 + v0 t + a t^2 / 2, or,
+/// where RunFrame::drag is k > 0, x = x0 + v0 s + a (t - s) / k with s = (1 - exp(-k t)) / k; in exact arithmetic on
+/// the numbers here, x0 and v0 each being a sum of doubles (the low parts are 0 in runs of plain doubles). Origin and
+/// start time of the scene play no part.
 struct FlightRecord {
     BodyId body = no_body;
     EpochTime start;

@@ -115,6 +115,7 @@ struct Scene {
     std::string name, description;
     Units units;
     Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
+    double drag = 0;              ///< k >= 0 of the field friction: dv/dt = gravity - k v [1/time]
     Vec3 origin = Vec3::Zero();   ///< where the scene lies; positions and planes are relative to it [length]
     /// The clock's time when the run began: a label, no time of a run counts from it. `epoch` counts epochs of the run.
     EpochTime start_time;

@@ -19,7 +19,7 @@ struct Explanation {
     Features needed;
     const Kernel* kernel = nullptr;
     std::string broad_phase, reference;
-    std::string why_gravity, why_pairs, why_kernel;
+    std::string why_gravity, why_pairs, why_drag, why_kernel;
 };
 
 std::string broad_phase_of(const Scene& scene)
@@ -45,6 +45,7 @@ Explanation explain(const Scene& scene, const std::string& forced)
     e.broad_phase = broad_phase_of(scene);
     e.reference = reference_of(scene);
     e.why_gravity = e.needed.gravity ? "gravity is not 0" : "gravity is 0";
+    e.why_drag = e.needed.drag ? "drag is above 0" : "drag is 0";
     e.why_pairs = fmt::format("there {} {} sphere{}", scene.spheres.size() == 1 ? "is" : "are", scene.spheres.size(),
                               scene.spheres.size() == 1 ? "" : "s");
     e.why_kernel = forced.empty() ? "the cheapest that covers the needs" : "forced, and it covers the needs";
@@ -93,7 +94,7 @@ std::string as_json(const Scene& scene, const Explanation& e)
             {{"name", kernel.name}, {"covers", covers(kernel.features, e.needed)}, {"leaves_out", kernel.leaves_out}});
     const Json json = {{"format", "carom-explain/1"},
                        {"scene", scene.name},
-                       {"needs", {{"gravity", e.needed.gravity}, {"pairs", e.needed.pairs}}},
+                       {"needs", {{"gravity", e.needed.gravity}, {"pairs", e.needed.pairs}, {"drag", e.needed.drag}}},
                        {"kernel", e.kernel->name},
                        {"why", e.why_kernel},
                        {"kernels", list},
@@ -112,6 +113,7 @@ std::string as_text(const Scene& scene, const Explanation& e)
         fmt::format("{} ({} spheres, {} planes)\n", scene.name, scene.spheres.size(), scene.planes.size());
     text += fmt::format("needs gravity   {:<4} {}\n", yes(e.needed.gravity), e.why_gravity);
     text += fmt::format("needs pairs     {:<4} {}\n", yes(e.needed.pairs), e.why_pairs);
+    text += fmt::format("needs drag      {:<4} {}\n", yes(e.needed.drag), e.why_drag);
     text +=
         fmt::format("kernel          {}: {}; it leaves out {}\n", e.kernel->name, e.why_kernel, e.kernel->leaves_out);
     for (const Kernel& kernel : kernels())

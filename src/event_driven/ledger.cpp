@@ -24,7 +24,7 @@ Ledger::Ledger(const State& state, const Kernel& kernel, const Observer& observe
 void Ledger::show_frame(const State& state) const
 {
     if (!observer_.on_frame) return;
-    RunFrame frame{state.frame.epoch_length, state.frame.cell_size, {}};
+    RunFrame frame{state.frame.epoch_length, state.frame.cell_size, state.scene.drag, {}};
     const Accelerations& accelerations = state.bodies.accelerations();
     for (AccelerationId id = 0; id < accelerations.shared(); ++id) frame.accelerations.push_back(accelerations[id]);
     observer_.on_frame(frame);

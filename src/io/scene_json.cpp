@@ -95,6 +95,7 @@ std::string scene_json_without_spheres(const Scene& scene)
     Json json = {{"format", "carom-scene/1"}, {"name", scene.name}, {"description", scene.description}};
     json["units"] = {{"length", scene.units.length}, {"time", scene.units.time}, {"mass", scene.units.mass}};
     json["gravity"] = vector_json(scene.gravity);
+    json["drag"] = scene.drag;
     json["origin"] = vector_json(scene.origin);
     json["start_time"] = {{"epoch", scene.start_time.epoch}, {"offset", scene.start_time.offset}};
     json["end_time"] = scene.end_time;

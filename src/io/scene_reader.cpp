@@ -56,6 +56,7 @@ void read_header(ObjectView& root, const std::string& file, Scene& scene)
     scene.description = root.string("description").value_or("");
     scene.units = read_units(root);
     scene.gravity = root.vector("gravity").value_or(scene.gravity);
+    scene.drag = root.number("drag", not_negative).value_or(scene.drag);
     scene.origin = root.vector("origin").value_or(scene.origin);
     scene.start_time = read_start_time(root);
     scene.end_time = root.number("end_time", positive).value_or(1);
@@ -64,7 +65,6 @@ void read_header(ObjectView& root, const std::string& file, Scene& scene)
 
 void refuse_what_comes_later(ObjectView& root)
 {
-    root.not_yet("drag", never);
     root.not_yet("obstacles", never);
     root.not_yet("state", never);
 }

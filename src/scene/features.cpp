@@ -9,17 +9,22 @@ namespace carom {
 
 namespace {
 
-constexpr std::array<Kernel, 3> list{{
+constexpr std::array<Kernel, 4> list{{
     {"single", {.gravity = true, .pairs = false}, "broad phase, pair tests, stamps and queue"},
     {"uniform", {.gravity = false, .pairs = true}, "accelerations: every motion is uniform, every plane root linear"},
-    {"general", {.gravity = true, .pairs = true}, "nothing"},
+    {"general", {.gravity = true, .pairs = true}, "drag: every flight is a parabola"},
+    {"damped", {.gravity = true, .pairs = true, .drag = true}, "nothing"},
 }};
 
 std::string missing(const Features& kernel, const Features& needed)
 {
     std::string text;
-    if (needed.gravity && !kernel.gravity) text += "gravity";
-    if (needed.pairs && !kernel.pairs) text += std::string(text.empty() ? "" : " and ") + "pairs of spheres";
+    const auto add = [&](bool is_missing, std::string_view what) {
+        if (is_missing) text.append(text.empty() ? "" : " and ").append(what);
+    };
+    add(needed.gravity && !kernel.gravity, "gravity");
+    add(needed.pairs && !kernel.pairs, "pairs of spheres");
+    add(needed.drag && !kernel.drag, "drag");
     return text;
 }
 
@@ -32,7 +37,7 @@ BroadPhase automatic_broad_phase(std::size_t spheres)
 
 Features needs(const Scene& scene)
 {
-    return {.gravity = !scene.gravity.isZero(0), .pairs = scene.spheres.size() > 1};
+    return {.gravity = !scene.gravity.isZero(0), .pairs = scene.spheres.size() > 1, .drag = scene.drag > 0};
 }
 
 std::span<const Kernel> kernels()

@@ -40,6 +40,8 @@ public:
     std::vector<std::string> broken()
     {
         finite("/gravity", scene_.gravity);
+        rule(std::isfinite(scene_.drag) && scene_.drag >= 0, "/drag",
+             [&] { return "must be finite and >= 0, is " + to_text(scene_.drag); });
         finite("/origin", scene_.origin);
         rule(std::isfinite(scene_.start_time.offset), "/start_time", "must be finite");
         positive("/end_time", scene_.end_time);

@@ -1,13 +1,14 @@
 #include "toi/sphere_sphere_accelerated.hpp"
 
 #include "math/double_double.hpp"
+#include "toi/closing_pieces.hpp"
 #include "toi/sphere_sphere.hpp"
 #include "toi/tolerances.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace carom {
 
@@ -48,6 +49,17 @@ public:
         const Vec3 w = m_.v + t * m_.a;
         return w.squaredNorm() + position(t).dot(m_.a);
     }
+    double f_rate(double t) const { return 2 * h(t); }
+
+    /// A time after the last change of direction at which H >= 0, or infinity.
+    double time_of_growth(double from) const
+    {
+        const double a = std::sqrt(m_.a.squaredNorm());
+        double step = std::sqrt(std::sqrt(m_.r.squaredNorm()) / a) + std::sqrt(m_.v.squaredNorm()) / a;
+        for (double t = from + step; t < latest_growth; step *= 2, t += step)
+            if (h(t) >= 0) return t;
+        return infinity;
+    }
 
 private:
     static DoubleDouble3 lift(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
@@ -66,52 +78,6 @@ private:
     const AcceleratedMotion& m_;
 };
 
-/// The double halfway through the bit patterns of two positive ones, or their mean if they are close: 64 halvings
-/// exhaust any bracket.
-double middle(double low, double high)
-{
-    if (high < mean_is_middle * low || low == 0) {
-        const double mean = low + (high - low) / 2;
-        if (low > 0 || high < mean_from_zero) return mean;
-    }
-    const auto a = std::bit_cast<std::int64_t>(low), b = std::bit_cast<std::int64_t>(high);
-    return std::bit_cast<double>(a + (b - a) / 2);
-}
-
-/// Root of a function of one sign change in [low, high], to the last double: Newton, safeguarded by halving.
-/// Returns the end of the final bracket at which the function has the sign it has at `high`.
-template <class Function, class Rate>
-double refine(const Function& function, const Rate& rate, double low, double high, bool negative_at_high)
-{
-    double t = middle(low, high);
-    double bracket = high - low;
-    for (int i = 0; i < most_refinements && t > low && t < high; ++i) {
-        const double value = function(t);
-        if ((value < 0) == negative_at_high || value == 0)
-            high = t;
-        else
-            low = t;
-        double next = t - value / rate(t);
-        // A Newton step must stay inside and the bracket must keep shrinking, else halve. Newton lands on the near
-        // side: probe one ulp beyond.
-        if (next == t) next = t == high ? std::nextafter(t, low) : std::nextafter(t, high);
-        if (!(next > low && next < high) || (i % 3 == 2 && high - low > bracket / 2)) next = middle(low, high);
-        if (i % 3 == 2) bracket = high - low;
-        t = next;
-    }
-    return high;
-}
-
-/// A time after the last change of direction at which H >= 0, or infinity.
-double time_of_growth(const GapFunction& gap, const AcceleratedMotion& m, double from)
-{
-    const double a = std::sqrt(m.a.squaredNorm());
-    double step = std::sqrt(std::sqrt(m.r.squaredNorm()) / a) + std::sqrt(m.v.squaredNorm()) / a;
-    for (double t = from + step; t < latest_growth; step *= 2, t += step)
-        if (gap.h(t) >= 0) return t;
-    return infinity;
-}
-
 /// Positive roots of H' = 3/2 a^2 t^2 + 3 (a.v) t + (v^2 + r.a), ascending.
 int turning_points_of_h(const AcceleratedMotion& m, double out[2])
 {
@@ -129,41 +95,9 @@ int turning_points_of_h(const AcceleratedMotion& m, double out[2])
 
 Root solve(const AcceleratedMotion& m)
 {
-    const GapFunction gap(m);
-    const auto f = [&](double t) { return gap.f(t); };
-    const auto h = [&](double t) { return gap.h(t); };
-    const auto h_rate = [&](double t) { return gap.h_rate(t); };
-    const auto f_rate = [&](double t) { return 2 * gap.h(t); };
-
-    const double f0 = gap.f(0), h0 = gap.h(0);
-    if (f0 <= 0 && h0 < 0) return {RootKind::impact, 0, 0};
-    if (f0 <= 0 && h0 == 0 && gap.h_rate(0) <= 0) return {RootKind::pressed, 0, 0};
-
-    double cuts[3];
-    int pieces = turning_points_of_h(m, cuts);
-    cuts[pieces++] = infinity;
-
-    double low = 0, h_low = h0;
-    double left = 0;  // where the current falling piece of F began
-    for (int i = 0; i < pieces; ++i) {
-        double high = cuts[i];
-        if (high == infinity) {  // H only grows from here on
-            if (h_low >= 0) return {};
-            high = time_of_growth(gap, m, low);
-            if (high == infinity) return {};
-        }
-        const double h_high = gap.h(high);
-        if (h_low < 0 && h_high >= 0) {
-            const double lowest = refine(h, h_rate, low, high, false);
-            if (gap.f(lowest) < 0)  // it may turn round while still inside
-                return {RootKind::impact, gap.f(left) <= 0 ? left : refine(f, f_rate, left, lowest, true), 0};
-        } else if (h_low >= 0 && h_high < 0) {
-            left = refine(h, h_rate, low, high, true);
-        }
-        low = high;
-        h_low = h_high;
-    }
-    return {};
+    double cuts[2];
+    const int count = turning_points_of_h(m, cuts);
+    return first_closing(GapFunction(m), std::span(cuts, static_cast<std::size_t>(count)));
 }
 
 int exponent_of(double x)
