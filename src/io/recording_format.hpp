@@ -17,8 +17,8 @@
 namespace carom::io {
 
 inline constexpr std::int64_t recording_application_id = 0x6361726f;  ///< "caro"
-inline constexpr std::int64_t recording_version = 2;
-inline constexpr const char* recording_format = "carom-recording/2";
+inline constexpr std::int64_t recording_version = 3;
+inline constexpr const char* recording_format = "carom-recording/3";
 
 /// A table of the file: its name, and for each column "NAME TYPE".
 struct RecordingTable {
@@ -28,9 +28,9 @@ struct RecordingTable {
 namespace recording_table_columns {
 inline constexpr std::array<std::string_view, 2> meta{"key TEXT", "value TEXT"};
 inline constexpr std::array<std::string_view, 1> scene{"document BLOB"};
-inline constexpr std::array<std::string_view, 6> frame{"epoch_length REAL",  "cell_size REAL",
-                                                       "gravity BLOB",       "accelerations BLOB",
-                                                       "closing_speed REAL", "impact_window REAL"};
+inline constexpr std::array<std::string_view, 7> frame{"epoch_length REAL", "cell_size REAL",     "drag REAL",
+                                                       "gravity BLOB",      "accelerations BLOB", "closing_speed REAL",
+                                                       "impact_window REAL"};
 inline constexpr std::array<std::string_view, 3> bodies{"kind TEXT", "count INTEGER", "data BLOB"};
 inline constexpr std::array<std::string_view, 11> chunks{
     "seq INTEGER PRIMARY KEY", "kind TEXT",          "count INTEGER",    "first_epoch INTEGER",
@@ -67,7 +67,7 @@ struct BodiesRow {
 };
 
 struct FrameRow {
-    double epoch_length = 1, cell_size = 1;
+    double epoch_length = 1, cell_size = 1, drag = 0;  ///< RunFrame
     Bytes gravity, accelerations;
     double closing_speed = 0, window = 0;  ///< RecordedRun
 };
@@ -78,6 +78,7 @@ void each_frame_value(Row& row, const Visit& visit)
 {
     visit(row.epoch_length);
     visit(row.cell_size);
+    visit(row.drag);
     visit(row.gravity);
     visit(row.accelerations);
     visit(row.closing_speed);

@@ -135,9 +135,10 @@ private:
             damaged(database_.file, "wrong checksum of the head");
         if (out_.meta["format"] != recording_format) damaged(database_.file, "unknown format");
 
-        out_.run.frame = {frame.epoch_length, frame.cell_size, vectors_of(frame.accelerations, file)};
+        out_.run.frame = {frame.epoch_length, frame.cell_size, frame.drag, vectors_of(frame.accelerations, file)};
         if (!is_power_of_two(out_.run.frame.epoch_length) || !is_power_of_two(out_.run.frame.cell_size))
             damaged(database_.file, "a frame that is no power of two");
+        if (!(frame.drag >= 0) || !std::isfinite(frame.drag)) damaged(database_.file, "a drag that cannot be");
         out_.run.tie = tie_of(out_.scene, file);
         out_.run.closing_speed = frame.closing_speed;
         out_.run.window = frame.window;

@@ -58,9 +58,13 @@ public:
         const RestThresholds rest = rest_thresholds(scene_);
         const double least = std::numeric_limits<double>::min();  // 0 means policy micro
         const double window = scene_.rest.policy == RestPolicy::micro ? 0 : std::max(least, rest.window);
-        const FrameRow row{
-            frame.epoch_length, frame.cell_size, bytes_of(std::span(&scene_.gravity, 1)), bytes_of(frame.accelerations),
-            rest.closing_speed, window};
+        const FrameRow row{frame.epoch_length,
+                           frame.cell_size,
+                           frame.drag,
+                           bytes_of(std::span(&scene_.gravity, 1)),
+                           bytes_of(frame.accelerations),
+                           rest.closing_speed,
+                           window};
         const std::vector<BodiesRow> bodies = bodies_rows(scene_);
         checksum_ = head_checksum(meta_, document, row, bodies);
 

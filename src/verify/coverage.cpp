@@ -181,7 +181,7 @@ Box Coverage::box(BodyId body, const EpochTime& from, const EpochTime& to, doubl
     const Moving<double> end = moving<double>(ball.path, ball.acceleration, origin, to);
     const Vec3 a = rounded(begin.place), b = rounded(end.place);
     const double t = between<double>(from, to);
-    const Vec3 beyond = (arc_over_chord * t * t) * ball.acceleration.cwiseAbs() +
+    const Vec3 beyond = (arc_over_chord * t * t) * largest_bend(ball.path, ball.acceleration, rounded(begin.speed)) +
                         rounding<double> * (begin.place_size + end.place_size);
     return {a.cwiseMin(b) - beyond, a.cwiseMax(b) + beyond};
 }

@@ -65,6 +65,7 @@ const char* wrong_with(const RunData& data, BodyId body, const Path& path, const
     if (path.mode == Mode::resting && !(a.isZero(0) && path.velocity.isZero(0) && path.velocity_low.isZero(0)))
         return "rests and moves";
     if (path.mode == Mode::flying && a != data.gravity) return "flies under an acceleration that is not gravity";
+    if (path.mode == Mode::series && data.drag > 0) return "is in a series, which drag does not allow";
     if (path.mode == Mode::series && !(series && series_fits(data, body, path, *series)))
         return "is in a series that does not follow from its flight";
     return nullptr;
@@ -108,6 +109,7 @@ std::optional<Accepted> accept(const RunData& data, Findings& findings, const Fl
     path.support = f.support;
     path.mode = f.mode;
     path.guarded = f.guarded;
+    path.drag = data.drag;
     if (f.series) out.series = scaled(*f.series, data.units);
     if (!path.velocity.allFinite() || !path.own.allFinite()) return refuse(who + " has a speed out of range");
     if (const char* wrong = wrong_with(data, f.body, path, out.series)) return refuse(who + " " + wrong);

@@ -39,6 +39,7 @@ Path Flights::path(BodyId body) const
     path.support = kept.support;
     path.mode = kept.mode;
     path.guarded = kept.guarded;
+    path.drag = drag;
     if (!low_.empty()) {
         std::copy_n(low_[i].local, 3, path.local_low);
         std::copy_n(low_[i].velocity, 3, path.velocity_low.data());

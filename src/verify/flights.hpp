@@ -24,6 +24,7 @@ public:
     Path path(BodyId body) const;
     const EpochTime& start(BodyId body) const { return kept_[static_cast<std::size_t>(body)].start; }
 
+    double drag = 0;                                  ///< of the run [1/epoch]
     std::unordered_map<BodyId, SeriesRecord> series;  ///< of those whose mode says so [cells], [epochs]
 
 private:

@@ -98,7 +98,12 @@ Least least(const PairSegment& s)
         const double tangent = at_start.f - at_start.f_error + 2 * (b0 - at_start.b_error) * duration;
         if (tangent > 0) return {tangent * (1 - tangent_rounding), 0, false, false};
     }
-    const Relative<N> end = relative<N>(s.a, s.acceleration_a, s.b, s.acceleration_b, s.to);
+    Relative<N> end = relative<N>(s.a, s.acceleration_a, s.b, s.acceleration_b, s.to);
+    if (s.a.drag > 0) {
+        // r(t) = r + v way(t): as straight as without drag, in a variable that grows as t does, and slower.
+        end.v = start.v;
+        end.v_error = start.v_error;
+    }
     return least_of(at_start, quadratic(end, contact), duration, start, contact);
 }
 
@@ -106,6 +111,7 @@ Least least(const PairSegment& s)
 int exact_answer(const PairSegment& s)
 {
     if (s.acceleration_a != s.acceleration_b) return 0;
+    if (s.a.drag > 0 && !(s.to == s.a.start && s.to == s.b.start)) return 0;
     const Exact contact = contact_of<Exact>(s).square;
     const auto answer = [](const Exact& value) { return !value.sound() ? 0 : value.sign() < 0 ? -1 : 1; };
     const Relative<Exact> start = relative<Exact>(s.a, s.acceleration_a, s.b, s.acceleration_b, s.from);

@@ -1,6 +1,9 @@
 /// \file
-/// Unequal accelerations: F(t) = |r + v t + a t^2/2|^2 - S^2 is a quartic. It is never expanded; intervals are halved
-/// until on each of them F is convex or concave and so lies above its tangents or its chord.
+/// Unequal accelerations: F(t) = |r(t)|^2 - S^2 is a quartic, and no polynomial with drag. It is never expanded;
+/// intervals are halved until on each of them F is convex or concave and so lies above its tangents or its chord.
+///
+/// With w = r' and b = w' = a - k w, of which |b| only shrinks: F''/2 = w.w + r.b, F'''/2 = 3 w.b - k r.b,
+/// F''''/2 = 3 b.b - 4 k w.b + k^2 r.b.
 #include "verify/pair_gap.hpp"
 
 #include <algorithm>
@@ -13,9 +16,10 @@ namespace {
 /// F, half its rate, and bounds for what the second derivative is made of, at one time.
 struct Point {
     double t = 0, f = 0, rate = 0, f_error = 0, rate_error = 0;
-    double curvature = 0;  ///< w.w + p.a, F''/2 at this time
-    double slack = 0;      ///< its error, generously
-    double change = 0;     ///< |w.a|: F''/2 changes by at most 3 |w.a| h + 3/2 a^2 h^2 over h
+    double curvature = 0;                   ///< F''/2 at this time
+    double slack = 0;                       ///< its error, generously
+    double change = 0;                      ///< |F'''/2| at this time
+    double place = 0, speed = 0, bend = 0;  ///< |r|, |w|, |b|
 };
 
 template <class N>
@@ -24,6 +28,7 @@ public:
     Quartic(const PairSegment& s, const Contact<N>& contact)
         : start_(relative<N>(s.a, s.acceleration_a, s.b, s.acceleration_b, s.from)),
           a_(s.acceleration_a - s.acceleration_b),
+          drag_(s.a.drag),
           contact_(contact)
     {
         // The difference of two accelerations is exact in N, not in double.
@@ -38,14 +43,20 @@ public:
     {
         const N half(0.5);
         const double t = rounded(n);
-        const auto place = [&](const N& r, const N& v, const N& a) { return r + n * (v + n * (half * a)); };
-        const auto speed = [&](const N& v, const N& a) { return v + n * a; };
+        Damped<N> effect{};
+        if (drag_ > 0) effect = damped<N>(drag_, n);
+        const auto place = [&](const N& r, const N& v, const N& a) {
+            return drag_ > 0 ? r + (effect.way * v + effect.fall * a) : r + n * (v + n * (half * a));
+        };
+        const auto speed = [&](const N& v, const N& a) {
+            return drag_ > 0 ? effect.decay * v + effect.way * a : v + n * a;
+        };
         const Vector<N> p{place(start_.r.x, start_.v.x, exact_.x), place(start_.r.y, start_.v.y, exact_.y),
                           place(start_.r.z, start_.v.z, exact_.z)};
         const Vector<N> w{speed(start_.v.x, exact_.x), speed(start_.v.y, exact_.y), speed(start_.v.z, exact_.z)};
         const Vec3 r0 = rounded(start_.r).cwiseAbs(), v0 = rounded(start_.v).cwiseAbs(), a = a_.cwiseAbs();
         const Vec3 p_error = start_.r_error + t * start_.v_error + rounding<N> * (r0 + (t + 1) * (v0 + t * a));
-        const Vec3 w_error = start_.v_error + rounding<N> * (v0 + (t + 1) * a);
+        const Vec3 w_error = start_.v_error + rounding<N> * (1 + drag_ * (t + 1)) * (v0 + (t + 1) * a);
         const Vec3 ps = rounded(p), ws = rounded(w), pa = ps.cwiseAbs(), wa = ws.cwiseAbs();
         const N pp = dot(p, p);
         Point point;
@@ -54,16 +65,27 @@ public:
         point.f_error = 2 * pa.dot(p_error) + p_error.squaredNorm() + rounding<N> * (rounded(pp) + contact_.size);
         point.rate = rounded(dot(p, w));
         point.rate_error = pa.dot(w_error) + wa.dot(p_error) + p_error.dot(w_error) + rounding<N> * pa.dot(wa);
-        point.curvature = ws.squaredNorm() + ps.dot(a_);
-        point.slack = curvature_slack * (ws.squaredNorm() + pa.dot(a));
-        point.change = std::abs(ws.dot(a_)) + curvature_slack * wa.dot(a);
+        const Vec3 b = a_ - drag_ * ws, size = a + drag_ * wa;
+        point.curvature = ws.squaredNorm() + ps.dot(b);
+        point.slack = curvature_slack * (ws.squaredNorm() + pa.dot(size));
+        point.change = std::abs(3 * ws.dot(b) - drag_ * ps.dot(b)) + curvature_slack * (3 * wa + drag_ * pa).dot(size);
+        point.place = ps.norm();
+        point.speed = ws.norm();
+        point.bend = b.norm() + curvature_slack * size.norm();
         return point;
     }
-    double acceleration_square() const { return a_.squaredNorm(); }
+    /// The change of F''/2 over a time h after a point, at most.
+    double spread(const Point& x, double h) const
+    {
+        const double speed = x.speed + h * x.bend, place = x.place + h * speed;
+        const double fourth = x.bend * (3 * x.bend + drag_ * (4 * speed + drag_ * place));
+        return change_rounded_up * h * (x.change + 0.5 * h * fourth) + x.slack;
+    }
 
 private:
     Relative<N> start_;
     Vec3 a_;
+    double drag_;  ///< [1/epoch]
     Vector<N> exact_;
     Contact<N> contact_;
 };
@@ -74,10 +96,10 @@ struct Below {
     bool sharp;
 };
 
-Below below(const Point& x, const Point& y, double acceleration_square)
+template <class N>
+Below below(const Point& x, const Point& y, const Quartic<N>& quartic)
 {
-    const double h = (y.t - x.t) * interval_rounded_up;
-    const double spread = change_rounded_up * (3 * x.change * h + 1.5 * acceleration_square * h * h) + x.slack;
+    const double h = (y.t - x.t) * interval_rounded_up, spread = quartic.spread(x, h);
     const double least = std::min(x.f, y.f), error = std::max(x.f_error, y.f_error);
     if (x.curvature + spread <= 0) return {least, error, true};  // concave: above its chord
     if (x.curvature - spread >= 0) {                             // convex: above its tangents
@@ -114,7 +136,7 @@ Least least_accelerated(const PairSegment& s, const Contact<N>& contact)
                 seen = point.f;
                 where = point.t;
             }
-        const Below bound = below(now.from, now.to, quartic.acceleration_square());
+        const Below bound = below(now.from, now.to, quartic);
         const double middle = now.from.t + 0.5 * (now.to.t - now.from.t);
         const bool indivisible = now.depth >= most_interval_halvings || !(middle > now.from.t && middle < now.to.t);
         // Good enough if clear of contact, or as sharp as the arithmetic.

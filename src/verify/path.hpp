@@ -2,6 +2,7 @@
 /// A flight in the verifier's own units: cells and epochs. Both are powers of two, so that nothing is lost.
 #pragma once
 
+#include "verify/drag.hpp"
 #include "verify/number.hpp"
 
 #include <carom/flight.hpp>
@@ -30,6 +31,7 @@ struct Path {
     Vec3 own = Vec3::Zero();                                    ///< acceleration of its own, if so [cells/epoch^2]
     Mode mode = Mode::flying;
     bool guarded = false;
+    double drag = 0;  ///< of the run [1/epoch]
 };
 
 /// In persistent contact.
@@ -48,6 +50,13 @@ inline Vec3 vector_of(const double (&a)[3])
     return {a[0], a[1], a[2]};
 }
 
+/// The second derivative of a place from a moment on is at most this, a coordinate each: drag makes it smaller
+/// [cells/epoch^2]. \param speed at that moment [cells/epoch]
+inline Vec3 largest_bend(const Path& p, const Vec3& a, const Vec3& speed)
+{
+    return a.cwiseAbs() + p.drag * speed.cwiseAbs();
+}
+
 /// to - from [epochs].
 template <class N>
 N between(const EpochTime& from, const EpochTime& to)
@@ -64,6 +73,7 @@ struct Moving {
     Vec3 place_size, speed_size;
 };
 
+/// \pre if N is exact, the flight is not damped, or begins at that moment
 template <class N>
 Moving<N> moving(const Path& p, const Vec3& a, const std::int64_t (&base)[3], const EpochTime& at)
 {
@@ -72,6 +82,9 @@ Moving<N> moving(const Path& p, const Vec3& a, const std::int64_t (&base)[3], co
     const N tau = moved ? between<N>(p.start, at) : N(0.0);
     // A unit more: what the offsets of the two times may have lost.
     const double span = moved ? std::abs(between<double>(p.start, at)) + 1 : 0;
+    Damped<N> effect{};
+    if constexpr (rounding < N >> 0)
+        if (moved && p.drag > 0) effect = damped<N>(p.drag, between<DoubleDouble>(p.start, at));
     N* const place[] = {&m.place.x, &m.place.y, &m.place.z};
     N* const speed[] = {&m.speed.x, &m.speed.y, &m.speed.z};
     for (int k = 0; k < 3; ++k) {
@@ -87,7 +100,10 @@ Moving<N> moving(const Path& p, const Vec3& a, const std::int64_t (&base)[3], co
         }
         m.speed_size[k] += std::abs(a[k]) * span;
         m.place_size[k] += span * m.speed_size[k];
-        if (a[k] == 0) {
+        if (p.drag > 0) {
+            *place[k] = x + (effect.way * v + effect.fall * N(a[k]));
+            *speed[k] = effect.decay * v + effect.way * N(a[k]);
+        } else if (a[k] == 0) {
             *place[k] = x + tau * v;
             *speed[k] = v;
         } else {

@@ -54,6 +54,40 @@ N pull(const WallSegment& s)
     return N(n.x()) * N(s.acceleration.x()) + N(n.y()) * N(s.acceleration.y()) + N(n.z()) * N(s.acceleration.z());
 }
 
+/// The second derivative of the height at the beginning, n.(a - k v), with an error bound. Drag shrinks it and never
+/// turns its sign: a height is convex throughout, or concave.
+template <class N>
+struct Bend {
+    N value;
+    double error;
+};
+
+template <class N>
+Bend<N> bend(const WallSegment& s, const Height<N>& start)
+{
+    const double error = rounding<N> * s.wall.normal.cwiseAbs().dot(s.acceleration.cwiseAbs());
+    if (!(s.path.drag > 0)) return {pull<N>(s), error};
+    return {pull<N>(s) - N(s.path.drag) * start.w, error + 2 * s.path.drag * start.w_error};
+}
+
+/// Lower bound of a convex damped height: the tangent at a time near its vertex, and that time need not be the right
+/// one. \param g least second derivative at the beginning, > 0 \param duration of the segment, an upper bound
+template <class N>
+Least above_tangent(const WallSegment& s, const Height<N>& zero, double w, double g, double duration)
+{
+    const double k = s.path.drag, still = std::log1p(-k * w / rounded(pull<N>(s))) / k;  // where the speed is 0
+    const double t = std::min(duration, still >= 0 ? still : duration), whole = std::floor(t);
+    const EpochTime at{s.from.epoch + static_cast<std::int64_t>(whole), s.from.offset + (t - whole)};
+    const Height<N> there = height_at<N>(s, at);
+    const double slope = std::abs(rounded(there.w)) + there.w_error;
+    const double reach = std::max(t, duration - t) * (1 + duration_rounding) + offsets_rounding;
+    const double flattest = g * damped<double>(k, DoubleDouble(duration)).decay;
+    // Quadratic in the slope where the height bends enough to the end.
+    const double below = std::min(slope * reach, slope * slope / flattest);
+    const double error = there.h_error + zero.h_error + (below >= 0 ? below : slope * reach);
+    return {rounded(there.h - zero.h), error, false, false};
+}
+
 template <class N>
 Least least(const WallSegment& s)
 {
@@ -63,17 +97,20 @@ Least least(const WallSegment& s)
     const double e0 = start.h_error + zero.h_error, e1 = end.h_error + zero.h_error;
     const double w0 = rounded(start.w), w1 = rounded(end.w);
     const Least ends{std::min(h0, h1), std::max(e0, e1), h0 <= h1, false};
-    const double g = rounded(pull<N>(s));
-    const double g_error = rounding<N> * s.wall.normal.cwiseAbs().dot(s.acceleration.cwiseAbs());
+    const Bend<N> bent = bend(s, start);
+    const double g = rounded(bent.value), g_error = bent.error;
     if (g <= -g_error) return ends;
-    if (w0 >= start.w_error) return {h0, e0, true, false};
-    if (w1 <= -end.w_error) return {h1, e1, false, false};
+    if (g >= g_error && w0 >= start.w_error) return {h0, e0, true, false};
+    if (g >= g_error && w1 <= -end.w_error) return {h1, e1, false, false};
     // Convex, or as good as straight, and lowest in between: above its vertex, and above its chord but for the bulge.
     const double duration = between<double>(s.from, s.to) * (1 + duration_rounding) + offsets_rounding;
     const double bulge = (g + g_error) * duration * duration / 8;
     Least least = ends;
     least.error += bulge;
-    if (g > 2 * g_error) {
+    if (g > 2 * g_error && s.path.drag > 0) {
+        const Least vertex = above_tangent<N>(s, zero, w0, g - g_error, duration);
+        if (vertex.value - vertex.error > least.value - least.error) least = vertex;
+    } else if (g > 2 * g_error) {
         const N square = start.w * start.w;
         const double drop = rounded(square) / (2 * g);
         const double vertex = rounded((start.h - zero.h) - square / (pull<N>(s) * N(2.0)));
@@ -87,6 +124,7 @@ Least least(const WallSegment& s)
 /// Is the height kept throughout? 1 yes, -1 no, 0 cannot be told.
 int exact_answer(const WallSegment& s)
 {
+    if (s.path.drag > 0 && s.to != s.path.start) return 0;
     const auto answer = [](const Exact& value) { return !value.sound() ? 0 : value.sign() < 0 ? -1 : 1; };
     const Height<Exact> start = height_at<Exact>(s, s.from), end = height_at<Exact>(s, s.to);
     const Exact zero = needed<Exact>(s).h, g = pull<Exact>(s);
@@ -139,7 +177,7 @@ double largest_distance(const WallSegment& s)
 {
     const Height<DoubleDouble> start = height_at<DoubleDouble>(s, s.from), end = height_at<DoubleDouble>(s, s.to);
     const double duration = between<double>(s.from, s.to);
-    const double g = std::abs(rounded(pull<DoubleDouble>(s)));
+    const double g = std::abs(rounded(bend(s, start).value));
     return std::max(std::abs(rounded(start.h)) + start.h_error, std::abs(rounded(end.h)) + end.h_error) +
            arc_rounded_up * g * duration * duration / 8;
 }

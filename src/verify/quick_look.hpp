@@ -15,13 +15,13 @@ struct Quick {
     Vec3 y, w;                             ///< [cells], [cells/epoch]
     float place_size = 0, speed_size = 0;  ///< of the parts that they are made of, rounded up
     double start = 0;                      ///< after the reference [epochs]
-    std::int32_t acceleration = -1;        ///< -1: a series, which needs a closer look
+    std::int32_t acceleration = -1;        ///< -1: a series or a damped flight, which needs a closer look
 };
 
 inline Quick quick_look_at(const Path& p, const Vec3& a, const EpochTime& reference)
 {
     Quick q;
-    if (p.mode == Mode::series) return q;
+    if (p.mode == Mode::series || p.drag > 0) return q;
     const double t = between<double>(reference, p.start), span = std::abs(t) + 1;
     q.start = t;
     q.acceleration = p.acceleration;

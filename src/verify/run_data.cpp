@@ -10,6 +10,7 @@ RunData::RunData(const RecordedRun& r) : run(r), units{r.frame.cell_size, r.fram
         return Vec3(units.acceleration(a.x()), units.acceleration(a.y()), units.acceleration(a.z()));
     };
     gravity = scaled(r.gravity);
+    drag = r.frame.drag * units.time;
     closing_speed = units.speed(r.closing_speed);
     window = r.window / units.time;
     const auto loses = [](const auto& law) { return law.restitution < 1; };

@@ -17,12 +17,17 @@ struct RunData {
     std::vector<Vec3> accelerations;  ///< [cells/epoch^2]
     std::vector<Wall> walls;
     Vec3 gravity;              ///< [cells/epoch^2]
+    double drag = 0;           ///< [1/epoch]
     double closing_speed = 0;  ///< v_c [cells/epoch]
     double window = 0;         ///< tau_p [epochs]
     bool is_lossy = false;     ///< e < 1 somewhere
 
     /// The rest policy micro: bounces below closing_speed are elastic, and nothing else.
     bool is_micro() const { return window == 0 && closing_speed > 0; }
+
+    /// Certified runs keep gap >= min(0, initial gap). With drag they have double-double flights, too, but no sign of
+    /// an exponential is known exactly: they keep what runs in doubles do.
+    bool keeps_sign() const { return run.certified && drag == 0; }
 
     BodyId spheres() const { return static_cast<BodyId>(run.spheres.size()); }
     BodyId planes() const { return static_cast<BodyId>(walls.size()); }

@@ -36,6 +36,17 @@ inline constexpr double negative_place_rounding = 2 * u;
 /// Size [1] that is kept as a float: rounded up, of which u is 6e-8.
 inline constexpr double float_rounded_up = 1.0001;
 
+// Drag (drag.cpp). Errors as counted in drag.hpp are below `double_double_rounding` of sizes, sums included.
+
+/// Factor [1] n of z/n with which the series ends: 2 / 31! = 2^-112 is left out where z <= 1.
+inline constexpr int damped_terms = 31;
+/// The same [1] for short times: (1/64)^13 2 / 15! = 2^-117.
+inline constexpr int short_damped_terms = 15;
+/// Time k t [1] up to which the short series will do.
+inline constexpr double short_series_up_to = 0x1p-6;
+/// Time k t [1] from which on nothing is left of a speed: exp(-80) is 2^-115.
+inline constexpr double longest_decay = 80;
+
 // First look at pairs and planes (quick_look.hpp).
 
 /// Error of straight paths from a reference [sizes of their parts]: `double_rounding`, and 2 for the reference.

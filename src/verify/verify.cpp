@@ -47,12 +47,13 @@ public:
         out_.spheres = data_.spheres();
         out_.planes = data_.planes();
         out_.certified = data_.run.certified;
+        flights_.drag = data_.drag;
         flights_.reserve(data_.run.spheres.size());
     }
 
     Certificate go()
     {
-        check_accelerations();
+        check_frame();
         patience_.begin("first flights", static_cast<double>(data_.spheres()), "spheres");
         Instant instant;
         bool understood = true;
@@ -77,9 +78,10 @@ public:
 private:
     bool has_all() const { return flights_.size() == data_.run.spheres.size(); }
 
-    /// Entry 0 is zero; what else the table may say shows where it is used.
-    void check_accelerations()
+    /// Drag is a number >= 0, and entry 0 of the table is zero; what else it may say shows where it is used.
+    void check_frame()
     {
+        if (!(data_.drag >= 0 && std::isfinite(data_.drag))) findings_.violation("the drag is out of range", {});
         const auto& table = data_.accelerations;
         if (table.empty() || !table.front().isZero(0))
             findings_.violation("the table of accelerations has no zero", {});

@@ -220,11 +220,13 @@ void change_meta(Meta& meta, Random& random)
 
 void change_frame(FrameRow& frame, Random& random)
 {
-    switch (random.below(4)) {
+    switch (random.below(5)) {
         case 0:
             return change(frame.epoch_length, random);
         case 1:
             return change(frame.cell_size, random);
+        case 4:
+            return change(frame.drag, random);
         case 2:
             return change_bytes(frame.gravity, random);
         default:

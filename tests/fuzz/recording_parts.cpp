@@ -50,8 +50,10 @@ RecordingParts read_parts(const std::filesystem::path& file)
     RecordingParts parts;
     for (Statement rows(database, "SELECT key, value FROM meta"); rows.step();) parts.meta[rows.text(0)] = rows.text(1);
     for (Statement rows(database, "SELECT document FROM scene"); rows.step();) parts.scene = copy(rows.blob(0));
-    for (Statement rows(database, "SELECT * FROM frame"); rows.step();)
-        parts.frame = {rows.real(0), rows.real(1), copy(rows.blob(2)), copy(rows.blob(3)), rows.real(4), rows.real(5)};
+    for (Statement rows(database, select_all(frame_table).c_str()); rows.step();) {
+        int column = 0;
+        each_frame_value(parts.frame, [&](auto& value) { rows.get(column++, value); });
+    }
     for (Statement rows(database, "SELECT kind, count, data FROM bodies ORDER BY rowid"); rows.step();)
         parts.bodies.push_back({rows.text(0), rows.integer(1), copy(rows.blob(2))});
     Statement rows(database, select_all(chunks_table, "seq").c_str());
@@ -70,10 +72,10 @@ void write_parts(const std::filesystem::path& file, RecordingParts parts)
     std::uint32_t checksum = head_checksum(parts.meta, parts.scene, parts.frame, parts.bodies);
     if (parts.meta.contains("head_checksum")) parts.meta["head_checksum"] = std::to_string(checksum);
     Statement(database, "INSERT INTO scene VALUES (?)").bind(0, parts.scene).step();
-    Statement frame(database, "INSERT INTO frame VALUES (?, ?, ?, ?, ?, ?)");
-    frame.bind(0, parts.frame.epoch_length).bind(1, parts.frame.cell_size);
-    frame.bind(2, parts.frame.gravity).bind(3, parts.frame.accelerations);
-    frame.bind(4, parts.frame.closing_speed).bind(5, parts.frame.window).step();
+    Statement frame(database, insert_into(frame_table).c_str());
+    int column = 0;
+    each_frame_value(parts.frame, [&](const auto& value) { frame.bind(column++, value); });
+    frame.step();
     for (const BodiesRow& row : parts.bodies)
         Statement(database, "INSERT INTO bodies VALUES (?, ?, ?)")
             .bind(0, row.kind)

@@ -332,7 +332,7 @@ TEST_CASE("verify certifies a recorded run, refuses a damaged one, and tells wha
     CHECK(data["body_seconds"]["not_certified"] == 0);
 
     std::string bytes = folder.read("run/run.carom");
-    bytes[bytes.find("carom-recording/2") + 3] ^= 1;
+    bytes[bytes.find("carom-recording/3") + 3] ^= 1;
     folder.write("damaged.carom", bytes);
     const Said damaged = carom_tool({"verify", folder / "damaged.carom"});
     CHECK(damaged.code == exit_bad_input);

@@ -54,6 +54,7 @@ inline std::string content_of(const std::filesystem::path& file)
     const RecordedRun& run = reader.run();
     put(run.frame.epoch_length);
     put(run.frame.cell_size);
+    put(run.frame.drag);
     put(run.closing_speed);
     put(run.window);
     for (const Vec3& a : run.frame.accelerations) put(a);

@@ -216,8 +216,9 @@ TEST_CASE("rows that are missing, doubled or out of order are damage", "[recordi
           "UPDATE chunks SET seq = -1 WHERE seq = 0", "DELETE FROM meta WHERE key = 'status'",
           "UPDATE meta SET value = 'zeno' WHERE key = 'status'", "UPDATE meta SET value = '9' WHERE key = 'time'",
           "INSERT INTO meta VALUES ('extra', '1')", "UPDATE frame SET cell_size = 2 * cell_size",
-          "DELETE FROM bodies WHERE kind = 'planes'", "UPDATE bodies SET count = count + 1", "DELETE FROM scene",
-          "UPDATE scene SET document = x'00'", "UPDATE chunks SET last_offset = last_offset / 2 WHERE seq = 3",
+          "UPDATE frame SET drag = 1e-300", "DELETE FROM bodies WHERE kind = 'planes'",
+          "UPDATE bodies SET count = count + 1", "DELETE FROM scene", "UPDATE scene SET document = x'00'",
+          "UPDATE chunks SET last_offset = last_offset / 2 WHERE seq = 3",
           "UPDATE chunks SET count = '7' WHERE seq = 3", "CREATE TABLE more(x)", "PRAGMA user_version = 1",
           "PRAGMA application_id = 1", "UPDATE chunks SET highest_body = 101 WHERE seq = 1"}) {
         std::filesystem::copy_file(file, changed, std::filesystem::copy_options::overwrite_existing);
@@ -252,6 +253,22 @@ TEST_CASE("the tie of a run is that of the scene in it, in range or damage", "[r
         CHECK_THROWS_WITH(with_document(R"({"impact": {"tie": )" + std::string(tie) + "}}"), Contains("damaged: "));
     }
     CHECK_THROWS_WITH(with_document("\x1b[31m"), Contains("damaged: its scene is no JSON"));
+}
+
+TEST_CASE("a drag that cannot be is damage, whatever the checksums say", "[recording]")
+{
+    const RecordingFolder folder;
+    const std::filesystem::path file = folder / "run.carom", changed = folder / "changed.carom";
+    record_to(file, ball_with_series());
+    CHECK(RecordingReader(file).run().frame.drag == 0);
+    for (const double drag : {-1e-300, std::numeric_limits<double>::infinity()}) {
+        fuzz::RecordingParts parts = fuzz::read_parts(file);
+        parts.frame.drag = drag;
+        std::filesystem::remove(changed);
+        fuzz::write_parts(changed, parts);
+        CAPTURE(drag);
+        CHECK_THROWS_WITH(content_of(changed), Contains("a drag that cannot be"));
+    }
 }
 
 TEST_CASE("what SQLite says of a damaged schema cannot reach the terminal raw", "[recording]")
@@ -318,7 +335,7 @@ TEST_CASE("counts beyond reason are refused before memory is asked for, whatever
         }
 }
 
-TEST_CASE("accelerations of their own, supports by several and windows of the guard are read back to the bit",
+TEST_CASE("drag, accelerations of their own, supports by several and windows of the guard are read back to the bit",
           "[recording]")
 {
     const RecordingFolder folder;
@@ -339,7 +356,7 @@ TEST_CASE("accelerations of their own, supports by several and windows of the gu
     guarded.mode = Mode::numeric;
     {
         RecordingWriter writer(file, scene, {"event", false, scene.end_time});
-        writer.on_frame({1, 1, {Vec3::Zero(), scene.gravity}});
+        writer.on_frame({1, 1, 1.0 / 7, {Vec3::Zero(), scene.gravity}});
         writer.on_flight(held);
         writer.on_flight(guarded);
         Event guard;
@@ -350,6 +367,7 @@ TEST_CASE("accelerations of their own, supports by several and windows of the gu
         writer.finish({});
     }
     RecordingReader reader(file);
+    CHECK(reader.run().frame.drag == 1.0 / 7);
     CHECK(reader.run().closing_speed == 0.1);
     CHECK(reader.run().window == 1.0 / 3);
     Instant instant;

@@ -14,7 +14,7 @@ public:
     explicit Handmade(const Scene& scene) : scene_(scene)
     {
         source.description = described(scene);
-        source.description.frame = {1, 1, {Vec3::Zero(), scene.gravity}};
+        source.description.frame = {1, 1, scene.drag, {Vec3::Zero(), scene.gravity}};
         source.description.end = RecordedEnd{scene.end_time, 0, 0, 0};
     }
 

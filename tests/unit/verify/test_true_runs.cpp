@@ -205,7 +205,7 @@ TEST_CASE("double-double flights made by hand hold as certified", "[verify]")
     MemorySource source;
     RecordedRun& run = source.description;
     run.certified = true;
-    run.frame = {1, 1, {Vec3::Zero()}};
+    run.frame = {1, 1, 0, {Vec3::Zero()}};
     run.materials = {Material{"default", 1, 1, ""}};
     run.spheres = {{0.3, 1, 0, false}, {0.3, 1, 0, false}};
     run.starts = {{{0.1, 0.1, 0.1}, {0.7, 0, 0}}, {{1.1, 0.1, 0.1}, {0, 0, 0}}};
