@@ -69,7 +69,7 @@ struct CompareOptions {
     std::vector<double> dt;                                  ///< > 0, for discrete methods [time]
     std::vector<int> substeps{1}, passes{1};                 ///< >= 1
     std::vector<ContactOrder> orders{ContactOrder::index};   ///< for methods that visit contacts one by one
-    std::vector<Integrator> integrators{Integrator::euler};  ///< where there is gravity
+    std::vector<Integrator> integrators{Integrator::euler};  ///< where there is gravity or drag
     std::optional<std::vector<ImpactOperator>> impacts;      ///< for `event`; none: the scene's
     StepOptions step;                                        ///< literal, seed for all
     double until = 0;                                        ///< > 0 [time]

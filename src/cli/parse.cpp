@@ -131,7 +131,7 @@ void define_compare(CLI::App& app, CompareArguments& compare)
     add_given(app, compare.given, "--order", "LIST",
               "Orders of contacts in a pass: " + joined(contact_order_names) + " (pbd only) [index]");
     add_given(app, compare.given, "--integrator", "LIST",
-              "Motions between contacts: " + joined(integrator_names) + " [both where there is gravity]");
+              "Motions between contacts: " + joined(integrator_names) + " [both where gravity or drag bends paths]");
     add_given(app, compare.given, "--impact", "LIST",
               "Operators of the event method for several contacts at once: " + joined(impact_operator_names) +
                   " [the scene's]");
