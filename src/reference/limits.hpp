@@ -69,6 +69,11 @@ template <class Real>
 inline constexpr double last_digit = is_high<Real> ? 1e-99 : 1e-49;
 /// Halvings of an interval in which a polynomial is not monotone [1]: 1e-24 of it is a graze.
 inline constexpr int most_halvings = 80;
+/// Halvings of the time that is left in which a distance is not monotone [1]: bounces end at 1e-30 of the fastest,
+/// and take as small a part of it, times at most 1e9.
+inline constexpr int most_damped_halvings = 130;
+/// Drag times a time [1] from which (t - s) / k may lose its digit and no more; below it 50 terms are the sum.
+inline constexpr double series_damping = 0.125;
 
 // Zero in 50 digits, which leave errors near 1e-50 of the scales below.
 
