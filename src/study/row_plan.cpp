@@ -59,7 +59,7 @@ OptionsRead options_read(const Method& method)
 void add_steps(std::vector<RowPlan>& rows, const Scene& scene, const CompareOptions& options, const std::string& method)
 {
     const OptionsRead reads = options_read(make_method(method, options.step));
-    const bool curves = scene.gravity != Vec3::Zero();  // without gravity all integrators fly straight
+    const bool curves = scene.gravity != Vec3::Zero() || scene.drag > 0;  // else all integrators fly alike
     for (const double dt : options.dt)
         for (const Integrator integrator : options.integrators)
             for (const ContactOrder order : options.orders)
