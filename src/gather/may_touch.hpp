@@ -2,6 +2,7 @@
 /// Spheres near each other, before contacts are measured.
 #pragma once
 
+#include "flight/damping.hpp"
 #include "gather/tolerances.hpp"
 #include "motion/state.hpp"
 
@@ -20,8 +21,13 @@ inline bool may_touch(const State& state, BodyId body, const Flight& now, BodyId
     if (state.bodies.kind(other) == MotionKind::bouncing) return true;
     const Flight& f = state.flight(other);
     const double dt = state.frame.between(f.start, now.start);
-    Vec3 r = separation(state.frame, now.place, f.place) - dt * f.velocity;
-    if (f.acceleration != Accelerations::none) r -= (0.5 * dt * dt) * state.acceleration(f);
+    Vec3 r = separation(state.frame, now.place, f.place);
+    if (state.drag > 0) {
+        r -= displacement(f.velocity, state.acceleration(f), damping(state.drag, dt));
+    } else {
+        r -= dt * f.velocity;
+        if (f.acceleration != Accelerations::none) r -= (0.5 * dt * dt) * state.acceleration(f);
+    }
     const bool in_piece = state.bodies.is_in_piece(other) || state.bodies.is_in_piece(body);
     const double generous = in_piece ? look_slack_in_pieces : look_slack;
     const double reach = generous * (state.radius(body) + state.radius(other) + margin);

@@ -2,6 +2,7 @@
 
 #include "flight/damping.hpp"
 #include "toi/bracketed_root.hpp"
+#include "toi/limits.hpp"
 #include "toi/sphere_plane.hpp"
 #include "toi/tolerances.hpp"
 
@@ -60,7 +61,7 @@ Root fall(const DampedHeight& height, double h, double w, double g, double k, do
     // With s = 2 t / (2 + k t) and q = t^2 / (2 + k t), which s never is above and q never below, it is a quadratic:
     // its root is exact without drag, and for w >= 0 no earlier than that of the height.
     const double depth = std::max(h, 0.0), b = 2 * w + depth * k;
-    const double root = length(b, std::sqrt(-8 * g) * std::sqrt(depth));
+    const double root = length(b, 2 * std::sqrt(-2 * g) * std::sqrt(depth));
     const double guess = b > 0 ? (b + root) / (-2 * g) : 4 * depth / (root - b);
     double to = std::max(guess, std::nextafter(from, std::numeric_limits<double>::infinity()));
     while (to < latest_growth && !(height.at(to) < 0)) to *= 2;

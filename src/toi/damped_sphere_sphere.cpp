@@ -5,6 +5,7 @@
 #include "toi/closing_pieces.hpp"
 #include "toi/enclosure.hpp"
 #include "toi/exact_signs.hpp"
+#include "toi/limits.hpp"
 #include "toi/scaling.hpp"
 #include "toi/sphere_plane.hpp"
 #include "toi/sphere_sphere.hpp"
@@ -108,7 +109,8 @@ public:
         const double mean = b - k_ * slope + a_ * a_;
         const double d = difference_of_products(mean, mean, 4 * k_ * b, -slope);
         const double s = -2 * slope / (mean + std::sqrt(std::max(d, 0.0)));
-        return k_ * s < 1 ? time_of_way(k_, s) : -logarithm(unit_roundoff) / k_;  // all the way, to rounding
+        // Beyond, what is left of the way is rounding.
+        return k_ * s < 1 ? time_of_way(k_, s) : -logarithm(least_rest_of_way) / k_;
     }
 
     double time_of_growth(double from) const
