@@ -276,10 +276,11 @@ TEST_CASE("A flier meets a ball that slides off another under drag where sampled
                      ball("flies", {2, 0, 2}, {-3, 0, 0}, 1, 0.25)};
     scene.spheres[0].fixed = true;
     const Exact whole = exactly(scene, 1);
-    REQUIRE(!whole.record.impacts.empty());
-    const double met = whole.record.impacts[0].time;
-    CHECK(whole.record.impacts[0].a == 1);
-    CHECK(whole.record.impacts[0].b == 2);
+    const auto& impacts = whole.record.impacts;
+    const auto first = std::find_if(impacts.begin(), impacts.end(), [](const auto& each) { return each.b == 2; });
+    REQUIRE(first != impacts.end());
+    REQUIRE(first->a == 1);
+    const double met = first->time;
     // Until then the two know nothing of each other: both alone, at that time, touch.
     Scene slider = scene, flier = scene;
     slider.spheres.pop_back();
@@ -299,7 +300,7 @@ TEST_CASE("A flier meets a ball that slides off another under drag where sampled
 
 TEST_CASE("The energy of the reference falls by the work of drag, the integral of m k v^2", "[reference]")
 {
-    Scene scene = damped(gas(2, 0.5, {0, 0, -1}), 0.4);
+    Scene scene = damped(gas(3, 0.25, {0, 0, -1}), 0.4);
     const int n = 4000;
     std::vector<double> times;
     for (int i = 0; i <= n; ++i) times.push_back(0.5 * i / n);

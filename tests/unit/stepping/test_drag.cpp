@@ -103,8 +103,8 @@ TEST_CASE("With parabola free flight under drag is exact, whatever step and drag
             for (const Method& method : all_discrete(parabola(dt, 2))) {
                 CAPTURE(name(method), dt, k);
                 const Outcome outcome = run_discrete(scene, method, until(0.7));
-                CHECK((outcome.final[0].velocity - exact.velocity(0.7)).norm() < 2e-13);
-                CHECK((outcome.final[0].position - exact.place(0.7)).norm() < 2e-12);
+                CHECK((outcome.final[0].velocity - exact.velocity(0.7)).norm() < 1e-12);  // of 1400 sums
+                CHECK((outcome.final[0].position - exact.place(0.7)).norm() < 1e-11);
             }
         }
     }
@@ -226,15 +226,16 @@ TEST_CASE("toi meets a fixed ball under drag when sampling does, however long it
     std::mt19937_64 random(17);
     int met = 0, turned = 0;
     for (int i = 0; i < 300; ++i) {
-        const Viscous flight{uniform_vector(random, -3, 3), uniform_vector(random, -4, 4),
-                             uniform_vector(random, -6, 6), std::exp(4 * uniform(random) - 2)};
+        const Vec3 place = uniform_vector(random, -3, 3), aim = uniform_vector(random, -3, 3);
+        const Vec3 field = uniform_vector(random, -6, 6);
+        const Viscous flight{place, aim - place, field, std::exp(4 * uniform(random) - 2)};
         if (flight.p.norm() < 1.1) continue;
         Sphere fixed = ball(0.5, Vec3::Zero());
         fixed.fixed = true;
         const Scene scene = viscous({fixed, ball(0.5, flight.p, flight.v)}, {}, flight.g, flight.k);
         const double end = 3;
         const auto gap = [&](double t) { return flight.place(t).norm() - 1; };
-        const double expected = first_fall(gap, end, 20000);
+        const double expected = first_fall(gap, end, 5000);
         double seen = std::numeric_limits<double>::infinity();
         Observer observer;
         observer.on_event = [&](const Event& event) { seen = std::min(seen, event.time); };
