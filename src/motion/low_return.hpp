@@ -3,10 +3,8 @@
 /// them.
 #pragma once
 
-#include "flight/damping.hpp"
 #include "math/length.hpp"
 #include "motion/relative.hpp"
-#include "toi/damped_plane.hpp"
 
 #include <cmath>
 #include <optional>
@@ -21,24 +19,7 @@ inline bool bounces_to_rounding(const State& state, BodyId a, BodyId b)
 }
 
 /// low_return under drag, with g the acceleration of a relative to b. \pre as there, but for how low the bounce is
-inline std::optional<double> damped_low_return(const PairMotion& m, const Vec3& g, double k)
-{
-    // |r + v s + g q|^2 = |r|^2, divided by s: 2 r.v + 2 r.g p + s |v + g p|^2 with p = q / s.
-    const double rate = 2 * m.r.dot(m.v), pull = m.v.squaredNorm() + m.r.dot(g);
-    if (!(rate > 0 && pull < 0)) return {};
-    double t = damped_plane_root(0, rate / 2, pull, k).t;
-    // What the normal turns, and how much v^2 is damped.
-    if (t * (std::abs(m.v.dot(g)) + t * g.squaredNorm() / 4 + k * m.v.squaredNorm()) > low_turn * -pull) return {};
-    for (int i = 0; i < return_steps; ++i) {
-        const Damping<double> d = damping(k, t);
-        const double p = d.fall / d.way, p_rate = 1 - p * (d.decay / d.way);
-        const Vec3 mean = m.v + p * g;
-        const double value = rate + 2 * p * m.r.dot(g) + d.way * mean.squaredNorm(),
-                     slope = 2 * p_rate * (m.r.dot(g) + d.way * mean.dot(g)) + d.decay * mean.squaredNorm();
-        t -= value / slope;
-    }
-    return t;
-}
+std::optional<double> damped_low_return(const PairMotion& m, const Vec3& g, double k);
 
 /// The time from m.from to the return of a sphere in flight that touches a fixed one, leaves it and is pressed on it,
 /// where the bounce is so low that the normal hardly turns; none otherwise. The root at 0 is divided out, so that the
@@ -53,7 +34,8 @@ inline std::optional<double> low_return(const State& state, BodyId a, BodyId b, 
     // |r + v t + g t^2/2|^2 = |r|^2, divided by t.
     const Accelerations& accelerations = state.bodies.accelerations();
     const Vec3 g = accelerations[m.acceleration_a] - accelerations[m.acceleration_b];
-    if (state.drag > 0) return damped_low_return(m, g, state.drag);
+    if (state.drag > 0) [[unlikely]]
+        return damped_low_return(m, g, state.drag);
     const double rate = 2 * m.r.dot(m.v), pull = m.v.squaredNorm() + m.r.dot(g), turn = m.v.dot(g),
                  fall = g.squaredNorm() / 4;
     if (!(rate > 0 && pull < 0)) return {};

@@ -139,7 +139,7 @@ Flight advanced(const State& state, BodyId body, const EpochTime& now)
         return f;
     }
     const Vec3& a = state.acceleration(f);
-    if (state.drag > 0) {
+    if (state.drag > 0) [[unlikely]] {
         const Damping<double> d = damping(state.drag, dt);
         f.place = moved(state.frame, f.place, displacement(f.velocity, a, d));
         f.velocity = velocity_after(f.velocity, a, d);

@@ -67,7 +67,9 @@ PairMotion damped_pair_motion(const State& state, BodyId a, BodyId b);
 /// The one of both by which the run's bodies move.
 inline PairMotion lawful_pair_motion(const State& state, BodyId a, BodyId b)
 {
-    return state.drag > 0 ? damped_pair_motion(state, a, b) : pair_motion(state, moving(state, a), moving(state, b));
+    if (state.drag > 0) [[unlikely]]
+        return damped_pair_motion(state, a, b);
+    return pair_motion(state, moving(state, a), moving(state, b));
 }
 Root pair_root(const State& state, const PairMotion& motion);
 /// Whether two spheres certainly do not meet before `limit`, or before a piece of one of them ends. A quick answer:
