@@ -118,7 +118,7 @@ public:
             if (j < count() && approach(i, j, now_rounded).misses(horizon)) return;
             Real latest = ball.step_end ? std::min<Real>(until, *ball.step_end) : until;
             if (j < count() && balls_[j].step_end) latest = std::min<Real>(latest, *balls_[j].step_end);
-            ++questions;
+            questions += ball.drag > 0 ? questions_a_damped_one : 1;
             const std::optional<Real> dt = contact_in(i, j, now, latest, root_solves);
             if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) return;
             ball.next = now + *dt;

@@ -44,6 +44,8 @@ inline constexpr std::size_t cubes_an_impact = 100;
 inline constexpr std::size_t pairs_an_impact = 250;
 /// Times of contact [1] that are as much effort as an impact: measured.
 inline constexpr std::int64_t questions_an_impact = 20;
+/// Times of contact [1] without drag that are as much effort as one with it, whose root takes exponentials: measured.
+inline constexpr std::int64_t questions_a_damped_one = 8;
 /// Effort of a step of constrained motion [impacts] for each of its contacts: measured.
 inline constexpr std::size_t impacts_a_step = 15;
 /// Events at one time [1]: bounces whose gaps 50 digits do not tell any more, down to the speeds that they do.

@@ -1,7 +1,5 @@
 #include "stepping/free_motion.hpp"
 
-#include "stepping/damped_times.hpp"
-
 namespace carom::stepping {
 
 namespace {
@@ -28,14 +26,22 @@ void move_straight(Bodies& bodies, double time)
     for (std::size_t i = 0; i < bodies.size(); ++i) bodies.position[i] += time * bodies.velocity[i];
 }
 
-/// w of the velocity at the end in the mean one of a substep: 1/2 without drag.
-double weight_of_end(double drag, double h)
+}  // namespace
+
+const DampedTimes& FreeMotion::times_of(double h)
 {
-    const DampedTimes times = damped_times(drag, h);
-    return times.q / (times.s * h);
+    if (h != known_length_) {
+        known_length_ = h;
+        known_times_ = damped_times(drag_, h);
+    }
+    return known_times_;
 }
 
-}  // namespace
+double FreeMotion::weight_of_end(double h)
+{
+    const DampedTimes& times = times_of(h);
+    return times.q / (times.s * h);
+}
 
 void FreeMotion::fly(Bodies& bodies, double h)
 {
@@ -45,7 +51,7 @@ void FreeMotion::fly(Bodies& bodies, double h)
             remember(bodies, h, false);
             bodies.velocity = start_;
         }
-        const DampedTimes times = damped_times(drag_, h);
+        const DampedTimes times = times_of(h);
         move_straight(bodies, times.s);
         const Vec3 bend = times.q * gravity_;
         for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -62,7 +68,7 @@ void FreeMotion::accelerate(Bodies& bodies, double h)
     const bool is_exact = integrator_ == Integrator::parabola;
     const bool keeps = is_exact || track_.is_wanted();
     if (keeps) start_ = bodies.velocity;
-    change_velocities(bodies, gravity_, drag_, is_exact ? damped_times(drag_, h).s : h);
+    change_velocities(bodies, gravity_, drag_, is_exact ? times_of(h).s : h);
     if (keeps) free_ = bodies.velocity;
 }
 
@@ -70,7 +76,7 @@ void FreeMotion::move_pushed(Bodies& bodies, double h)
 {
     if (track_.is_wanted()) remember(bodies, h, false);
     if (integrator_ == Integrator::euler) return move_straight(bodies, h);
-    const double w = weight_of_end(drag_, h);
+    const double w = weight_of_end(h);
     for (std::size_t i = 0; i < bodies.size(); ++i) bodies.position[i] += h * mean_velocity(bodies, i, w);
 }
 
@@ -78,16 +84,16 @@ void FreeMotion::move_struck(Bodies& bodies, double h)
 {
     if (track_.is_wanted()) remember(bodies, h, true);
     if (integrator_ == Integrator::euler) return move_straight(bodies, h);
-    const double w = weight_of_end(drag_, h);
+    const double w = weight_of_end(h);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec3& v = bodies.velocity[i];
         bodies.position[i] += h * (v == free_[i] ? mean_velocity(bodies, i, w) : v);
     }
 }
 
-Vec3 FreeMotion::mean_velocity(const Bodies& bodies, std::size_t i, double weight_of_end) const
+Vec3 FreeMotion::mean_velocity(const Bodies& bodies, std::size_t i, double w) const
 {
-    return (1 - weight_of_end) * start_[i] + weight_of_end * bodies.velocity[i];
+    return (1 - w) * start_[i] + w * bodies.velocity[i];
 }
 
 void FreeMotion::resist(Bodies& bodies, double time)
@@ -103,7 +109,7 @@ void FreeMotion::resist(Bodies& bodies, double time)
 double FreeMotion::resist_before(Bodies& bodies, double h)
 {
     // The time for which gravity and drag act on the velocities at the begin to make them the mean ones.
-    const double time = integrator_ == Integrator::euler ? h : damped_times(drag_, h).s * weight_of_end(drag_, h);
+    const double time = integrator_ == Integrator::euler ? h : times_of(h).s * weight_of_end(h);
     resist(bodies, time);
     return time;
 }
@@ -112,7 +118,7 @@ double FreeMotion::resist_after(Bodies& bodies, double h)
 {
     if (integrator_ == Integrator::euler) return 0;
     // The same from the mean velocities to those at the end.
-    const double time = h * (1 - weight_of_end(drag_, h));
+    const double time = h * (1 - weight_of_end(h));
     resist(bodies, time);
     return time;
 }
@@ -169,7 +175,7 @@ void FreeMotion::remember_drift(const Bodies& bodies)
 void FreeMotion::remember(const Bodies& bodies, double h, bool struck)
 {
     const bool is_bent = integrator_ == Integrator::parabola;
-    const double time = is_bent ? damped_times(drag_, h).s : h;
+    const double time = is_bent ? times_of(h).s : h;
     track_.clear(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec3& end = bodies.velocity[i];

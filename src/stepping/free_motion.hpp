@@ -3,6 +3,7 @@
 #pragma once
 
 #include "stepping/bodies.hpp"
+#include "stepping/damped_times.hpp"
 #include "stepping/substep_track.hpp"
 
 #include <carom/method.hpp>
@@ -61,7 +62,11 @@ public:
 
 private:
     void resist(Bodies& bodies, double time);
-    Vec3 mean_velocity(const Bodies& bodies, std::size_t i, double weight_of_end) const;
+    /// \param w weight of the velocity at the end of the substep, `weight_of_end`
+    Vec3 mean_velocity(const Bodies& bodies, std::size_t i, double w) const;
+    double weight_of_end(double h);  ///< 1/2 without drag
+    /// Those of a substep: computed anew where its length is another than that of the one before.
+    const DampedTimes& times_of(double h);
     /// Remember how the spheres, which are still where the substep began, are about to move.
     void remember(const Bodies& bodies, double h, bool struck);
     void remember_drift(const Bodies& bodies);
@@ -69,6 +74,8 @@ private:
     Vec3 gravity_;
     double drag_;
     Integrator integrator_;
+    double known_length_ = 0;  ///< of the substep that `known_times_` are of [time]
+    DampedTimes known_times_;
     SubstepTrack track_;
     std::vector<Vec3> start_;  ///< velocities before gravity, for Integrator::parabola and the track
     std::vector<Vec3> free_;   ///< velocities after it, before contacts
