@@ -85,7 +85,7 @@ struct CompareColumn {
 };
 
 /// In the order of compare.csv. Names are stable: files and pages of others read them.
-inline constexpr std::array<CompareColumn, 36> compare_columns{{
+inline constexpr std::array<CompareColumn, 39> compare_columns{{
     {"method", "method", ColumnUnit::none, "How the scene was simulated. \"event\" is exact in time and takes no step.",
      cell_of<&CompareRow::method>},
     {"dt", "dt", ColumnUnit::time, "Length of a time step; none for the event-driven method.",
