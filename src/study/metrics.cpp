@@ -111,6 +111,7 @@ Deviation velocity_deviation(std::span<const BodyState> a, std::span<const BodyS
 
 bool conserves_energy(const Scene& scene)
 {
+    if (scene.drag > 0) return false;
     struct Presence {
         std::size_t movable = 0, fixed = 0;  ///< spheres of a material
     };
