@@ -8,6 +8,8 @@
 #include "predict/lone_schedule.hpp"
 #include "predict/schedule.hpp"
 
+#include <carom/error.hpp>
+
 #include <cmath>
 
 namespace carom {
@@ -43,13 +45,17 @@ Outcome not_begun(const Scene& scene, const Kernel& kernel, const std::string& w
 Outcome run_event_driven(const Scene& scene, const EventDriven& method, const RunOptions& options,
                          const Observer& observer)
 {
-    // Certified runs have one kernel: it must cover everything.
-    const Kernel& kernel = method.certified ? kernels().back() : choose_kernel(scene, method.kernel);
+    if (method.certified && needs(scene).drag)
+        throw InputError({"--certified has no drag yet (leave --certified out, or set /drag to 0)"});
+    // Certified runs have one kernel: it must cover everything else.
+    const Kernel& kernel =
+        choose_kernel(scene, method.certified ? std::string_view("general") : std::string_view(method.kernel));
     const double until = std::isnan(options.until) ? scene.end_time : options.until;
     if (const std::string why = out_of_range(scene, until); !why.empty()) return not_begun(scene, kernel, why);
     if (method.certified) return run_with<CertifiedKinematics>(scene, kernel, method, options, observer);
     if (!kernel.features.pairs) return Run<LoneSchedule>(scene, kernel, method, options, observer).go();
     if (!kernel.features.gravity) return run_with<PlainKinematics<false>>(scene, kernel, method, options, observer);
+    if (needs(scene).drag) return run_with<DampedKinematics>(scene, kernel, method, options, observer);
     return run_with<PlainKinematics<true>>(scene, kernel, method, options, observer);
 }
 

@@ -60,6 +60,8 @@ std::string out_of_range(const Scene& scene, double until)
     if (!(std::max(until, scene.end_time) <= longest_run))
         return too_large("a time", std::max(until, scene.end_time), "2^800");
     if (!(largest(scene.gravity) <= largest_size)) return too_large("an acceleration", largest(scene.gravity));
+    if (!(scene.drag <= largest_size)) return too_large("a drag", scene.drag);
+    if (!(scene.drag * until <= longest_run)) return too_large("drag times the end", scene.drag * until, "2^800");
     double heaviest = 0, lightest = std::numeric_limits<double>::infinity(), fastest = 0;
     for (const Sphere& s : scene.spheres) {
         if (std::string why = of_sphere(s); !why.empty()) return why;

@@ -25,6 +25,16 @@ bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const
            other_closed(state, ContactInstant(state, key), f, key.a, key.b, neighbourhood);
 }
 
+/// Brings a sphere to rest that leaves its plane slower than a threshold, with more than a million bounces to come.
+void rest_early(const State& state, const Key& key, const Vec3& normal, double w, double time, Change& change,
+                EventOutcome& out)
+{
+    settle(state, key.b.index, change);
+    out.events.push_back(make_event(state, EventKind::rest, key.a, key.b, normal));
+    out.early_rest = {key.a, time};
+    out.taken.settling += state.sphere(key.a).mass * w * w / 2;
+}
+
 }  // namespace
 
 bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out)
@@ -63,6 +73,12 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
         settle(state, plane, change);
         out.events.push_back(make_event(state, EventKind::rest, id, key.b, normal));
     } else if (!leans && is_low(state, id, w, gravity, law)) {
+        if (state.drag > 0) {
+            const DampedBounces bounces = damped_bounces(state, key, f, w, gravity, law, neighbourhood);
+            out.dies_out = bounces.die_out;
+            if (bounces.early > 0) rest_early(state, key, normal, w, bounces.early, change, out);
+            return true;
+        }
         const Bouncing bouncing{plane, make_series(state, f, plane, w, gravity, law)};
         if (series_is_clear(state, id, f, bouncing, neighbourhood)) {
             std::fill_n(f.place.low, 3, 0.0);

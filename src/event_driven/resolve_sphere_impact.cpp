@@ -30,7 +30,7 @@ bool is_low_return(const State& state, const Key& key)
 {
     const BodyId other = key.b.index;
     return (state.is_fixed(key.a) || state.is_fixed(other)) &&
-           low_return(state, key.a, other, pair_motion(state, moving(state, key.a), moving(state, other)));
+           low_return(state, key.a, other, lawful_pair_motion(state, key.a, other));
 }
 
 /// Puts such a sphere into contact again, for the time of its next return does not mend the rounding of its place. (In

@@ -3,8 +3,10 @@
 /// q = (t - s) / k. In s, which ends at 1/k, motions under one acceleration are straight relative to each other.
 #pragma once
 
-#include "flight/tolerances.hpp"
+#include "flight/limits.hpp"
 #include "math/exponential.hpp"
+
+#include <carom/types.hpp>
 
 namespace carom {
 
@@ -32,6 +34,17 @@ Damping<Real> damping(double k, Real t)
         if (decay > 0) decay -= decay * std::fma(k, t, -z);
     const Real way = (Real(1.0) - decay) / Real(k);
     return {decay, way, (t - way) / Real(k)};
+}
+
+/// The way x(t) - x(0) of a damped flight [length], and its velocity then [length/time]. \param acceleration without
+/// drag
+inline Vec3 displacement(const Vec3& velocity, const Vec3& acceleration, const Damping<double>& d)
+{
+    return d.way * velocity + d.fall * acceleration;
+}
+inline Vec3 velocity_after(const Vec3& velocity, const Vec3& acceleration, const Damping<double>& d)
+{
+    return d.decay * velocity + d.way * acceleration;
 }
 
 /// The time t at which (1 - exp(-k t)) / k = s. \pre k > 0, 0 <= k s < 1

@@ -23,8 +23,4 @@ inline constexpr int least_exponent = -1000;
 /// more; 300,000 random directions leave 4.8 u at most.
 inline constexpr double level_rounding = 8 * unit_roundoff;
 
-/// Time k t [1] up to which the effect of drag comes from series: there z - 1 + exp(-z) is 0.37 z, and the difference
-/// loses less than two bits beyond.
-inline constexpr double damping_by_series_up_to = 1;
-
 }  // namespace carom

@@ -94,7 +94,7 @@ bool belongs_to_previous_instant(const State& state, const Key& key)
         return m.h <= tie && m.w < 0;
     }
     if (!changed(a.start < state.flight(key.b.index).start ? key.b.index : key.a)) return false;
-    const PairMotion m = pair_motion(state, moving(state, key.a), moving(state, key.b.index));
+    const PairMotion m = lawful_pair_motion(state, key.a, key.b.index);
     const double reach = m.contact_distance + tie;
     return m.r.squaredNorm() <= reach * reach && approach_sign(m.r, m.v) < 0;
 }

@@ -13,19 +13,30 @@ namespace carom {
 /// Every sphere that may touch this one now; valid until the next call.
 using Neighbourhood = std::function<std::span<const BodyId>(BodyId)>;
 
+/// may_touch for spheres whose centres are r apart now.
+inline bool is_near(const State& state, BodyId body, BodyId other, const Vec3& r, double margin)
+{
+    const double square = r.squaredNorm(), reach = state.radius(body) + state.radius(other) + margin,
+                 in_pieces = look_slack_in_pieces * reach, elsewhere = look_slack * reach;
+    if (square > in_pieces * in_pieces) return false;  // nearly all
+    return square <= elsewhere * elsewhere || state.bodies.is_in_piece(other) || state.bodies.is_in_piece(body);
+}
+
+/// may_touch of a sphere whose motion is damped, as all are then.
+bool damped_may_touch(const State& state, BodyId body, const Flight& now, BodyId other, double margin);
+
 /// Whether the surfaces of `body` and `other` may be less than `margin` apart [length]; true of some that are not.
 /// \param now the flight of `body` as if it began at this moment
 inline bool may_touch(const State& state, BodyId body, const Flight& now, BodyId other, double margin)
 {
+    if (state.drag > 0) [[unlikely]]
+        return damped_may_touch(state, body, now, other, margin);
     if (state.bodies.kind(other) == MotionKind::bouncing) return true;
     const Flight& f = state.flight(other);
     const double dt = state.frame.between(f.start, now.start);
     Vec3 r = separation(state.frame, now.place, f.place) - dt * f.velocity;
     if (f.acceleration != Accelerations::none) r -= (0.5 * dt * dt) * state.acceleration(f);
-    const bool in_piece = state.bodies.is_in_piece(other) || state.bodies.is_in_piece(body);
-    const double generous = in_piece ? look_slack_in_pieces : look_slack;
-    const double reach = generous * (state.radius(body) + state.radius(other) + margin);
-    return r.squaredNorm() <= reach * reach;
+    return is_near(state, body, other, r, margin);
 }
 
 }  // namespace carom

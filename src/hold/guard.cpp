@@ -1,6 +1,7 @@
 #include "hold/guard.hpp"
 
 #include "contact/contact_forces.hpp"
+#include "flight/damping.hpp"
 #include "motion/height.hpp"
 #include "motion/moment.hpp"
 #include "stepping/stepping.hpp"
@@ -23,7 +24,8 @@ public:
           moment_(state, now),
           neighbourhood_(neighbourhood),
           gravity_(state.gravity()),
-          length_(state.scene.guard.window.value_or(state.rest.numeric_step))
+          length_(state.scene.guard.window.value_or(state.rest.numeric_step)),
+          damped_(state.drag > 0 ? damping(state.drag, length_) : Damping<double>{1, length_, length_ * length_ / 2})
     {
     }
 
@@ -104,7 +106,7 @@ private:
     std::vector<BodyState> moreau_step() const
     {
         std::vector<Vec3> free;
-        for (const Flight& f : component_.flights) free.push_back(f.velocity + length_ * gravity_);
+        for (const Flight& f : component_.flights) free.push_back(velocity_after(f.velocity, gravity_, damped_));
         const std::vector<Vec3> after = without_overlap(free);
         std::vector<BodyState> out;
         for (std::size_t k = 0; k < after.size(); ++k) out.push_back({length_ * after[k], after[k], Mode::numeric});
@@ -119,6 +121,7 @@ private:
         const auto at = [&](const Place& place) { return separation(state_.frame, place, centre); };
         Scene scene;  // of what matters here: a copy would bring all spheres
         scene.gravity = state_.scene.gravity;
+        scene.drag = state_.drag;
         scene.materials = state_.scene.materials;
         scene.contacts = state_.scene.contacts;
         scene.planes = state_.scene.planes;
@@ -162,22 +165,28 @@ private:
         return deepest;
     }
 
+    /// What drag takes of the straight flights that stand for the window is its work, and no part of this.
     double energy_taken(const std::vector<BodyState>& end) const
     {
         double taken = 0;
         for (std::size_t k = 0; k < end.size(); ++k) {
             const Vec3& before = component_.flights[k].velocity;
-            taken += ((before.squaredNorm() - end[k].velocity.squaredNorm()) / 2 + gravity_.dot(end[k].position)) /
-                     component_.problem.bodies[k].inverse_mass;
+            const double dragged = (1 - damped_.decay * damped_.decay) * start_velocity(end[k]).squaredNorm() / 2;
+            taken +=
+                ((before.squaredNorm() - end[k].velocity.squaredNorm()) / 2 + gravity_.dot(end[k].position) - dragged) /
+                component_.problem.bodies[k].inverse_mass;
         }
         return taken;
     }
+
+    /// The velocity with which a body's straight flight begins, damped or not.
+    Vec3 start_velocity(const BodyState& end) const { return end.position / damped_.way; }
 
     Change straight(std::size_t k, const BodyState& end) const
     {
         Change out{component_.id(k), component_.flights[k], Windowed{state_.frame.after(now_, length_), end.velocity}};
         out.flight.start = now_;
-        out.flight.velocity = end.position / length_;
+        out.flight.velocity = start_velocity(end);
         out.flight.acceleration = Accelerations::none;
         for (const Contact& t : component_.problem.contacts) {
             const BodyId a = component_.id_of_a(t);
@@ -192,7 +201,8 @@ private:
     Moment moment_;
     const Neighbourhood& neighbourhood_;
     const Vec3 gravity_;
-    const double length_;  ///< of the window, h [time]
+    const double length_;           ///< of the window, h [time]
+    const Damping<double> damped_;  ///< what the window does to velocities and ways
     ContactComponent component_;
 };
 

@@ -1,8 +1,11 @@
 #include "hold/low_bounce.hpp"
 
+#include "gather/instant.hpp"
+#include "math/exponential.hpp"
 #include "motion/relative.hpp"
 #include "toi/sphere_plane.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carom {
@@ -19,6 +22,21 @@ Series make_series(const State& state, const Flight& flight, int plane, double w
     s.velocity = flight.velocity - w / normal.squaredNorm() * normal;
     s.acceleration = accelerations[accelerations.along(plane)];
     return s;
+}
+
+DampedBounces damped_bounces(const State& state, const Key& key, const Flight& flight, double w, double gravity,
+                             const ContactLaw& law, const Neighbourhood& neighbourhood)
+{
+    const double loss = 1 - law.restitution, scale = state.radius(key.a) + state.frame.cell_size;
+    // A bounce loses 1 - e of its speed to the plane and 2 k w / 3 g to drag, so that with e = 1 some 3 g / (2 k w)
+    // are to come until the last speed w that is no rest.
+    const double last = std::sqrt(2 * rest_height * scale) * std::sqrt(gravity);
+    const double by_drag = 1.5 * gravity / state.drag / last;
+    if (std::min(bounces_of_rounding / loss, by_drag) > most_bounces) {
+        if (!(w < state.rest.closing_speed) || state.scene.rest.policy != RestPolicy::contact) return {};
+        return {.early = std::min(2 * w / gravity / loss, 3 / state.drag * logarithm(std::max(w / last, 1.0)))};
+    }
+    return {.die_out = is_apart(state, flight, key.a, key.b, neighbourhood)};
 }
 
 bool series_is_clear(const State& state, BodyId body, const Flight& flight, const Bouncing& bouncing,

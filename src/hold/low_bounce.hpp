@@ -4,6 +4,7 @@
 
 #include "gather/may_touch.hpp"
 #include "hold/tolerances.hpp"
+#include "queue/key.hpp"
 
 #include <cmath>
 
@@ -21,12 +22,25 @@ inline bool is_rest(double scale, const Vec3& velocity, double w, double gravity
     return w <= no_normal_speed * std::sqrt(velocity.squaredNorm());
 }
 
-/// Is the next bounce one of those that are summed in closed form, not events of their own?
+/// Is the next bounce one of those that are summed in closed form, not events of their own? (Under drag they are
+/// events: see `damped_bounces`.)
 inline bool is_low(const State& state, BodyId body, double w, double gravity, const ContactLaw& law)
 {
-    return law.restitution < 1 && gravity > 0 && state.scene.rest.policy != RestPolicy::micro &&
+    return gravity > 0 && (law.restitution < 1 || state.drag > 0) && state.scene.rest.policy != RestPolicy::micro &&
            w * (w / gravity) < 2 * state.scene.rest.series_below * state.radius(body);
 }
+
+/// How low bounces on a plane go on under drag, which leaves them no closed sum: until rounding ends them, or a
+/// threshold because too many are to come.
+struct DampedBounces {
+    /// They end by themselves, and nothing else is near: the guard leaves them alone.
+    bool die_out = false;
+    /// Time by which a threshold ends them early at most; 0 if none does [time].
+    double early = 0;
+};
+/// \param flight of the sphere after a low bounce, which leaves with normal speed w
+DampedBounces damped_bounces(const State& state, const Key& key, const Flight& flight, double w, double gravity,
+                             const ContactLaw& law, const Neighbourhood& neighbourhood);
 
 /// The series that begins with normal speed w.
 Series make_series(const State& state, const Flight& flight, int plane, double w, double gravity,

@@ -1,5 +1,6 @@
 #include "hold/numeric_motion.hpp"
 
+#include "flight/damping.hpp"
 #include "hold/tolerances.hpp"
 #include "motion/moment.hpp"
 #include "motion/relative.hpp"
@@ -43,7 +44,9 @@ double depth(const NumericCluster& cluster, const std::vector<Vec3>& acceleratio
 {
     std::vector<NumericBody> bodies = cluster.bodies;
     for (std::size_t k = 0; k < bodies.size(); ++k)
-        bodies[k].position += displacement(bodies[k].velocity, accelerations[k], time);
+        bodies[k].position += cluster.drag > 0
+                                  ? displacement(bodies[k].velocity, accelerations[k], damping(cluster.drag, time))
+                                  : displacement(bodies[k].velocity, accelerations[k], time);
     double deepest = 0;
     for (const NumericContact& c : cluster.contacts) deepest = std::max(deepest, -c.gap(bodies));
     return deepest;
@@ -54,7 +57,9 @@ double depth(const NumericCluster& cluster, const std::vector<Vec3>& acceleratio
 double step_length(const State& state, const ContactComponent& component, std::span<const std::size_t> part,
                    const EpochTime& now)
 {
-    const double h = state.rest.numeric_step;
+    // Runge and Kutta's method is stable and exact to h^5 where drag acts little within a step.
+    const double h =
+        state.drag > 0 ? std::min(state.rest.numeric_step, damped_step / state.drag) : state.rest.numeric_step;
     double sum = 0;
     int count = 0;
     for (const std::size_t k : part) {
@@ -107,6 +112,7 @@ NumericMotion numeric_motion(const State& state, const ContactComponent& compone
     piece->centre = component.flights[part.front()].place;
     NumericCluster& cluster = piece->cluster;
     cluster.gravity = state.gravity();
+    cluster.drag = state.drag;
     cluster.opening = opening;
     double radius = std::numeric_limits<double>::infinity();
     std::vector<std::optional<int>> number(component.flights.size());

@@ -43,6 +43,9 @@ inline constexpr double step_growth = 4;
 /// Shortest such step [numeric_step]: 1/64. No derivation.
 inline constexpr double shortest_step = 0x1p-6;
 
+/// Length of a step [1 / drag] at most: it damps speeds by exp(-1/16), which the method has to (1/16)^5 / 120 = 8e-9.
+inline constexpr double damped_step = 0x1p-4;
+
 /// Steps [1] of Newton's method to a contact within a step: a bound of the loop, for 6 double one digit to 53 bits.
 inline constexpr int most_contact_steps = 8;
 /// Gap [radius] of a contact that is closed there: what a place rounds to.

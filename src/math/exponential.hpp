@@ -7,7 +7,7 @@
 #pragma once
 
 #include "math/double_double.hpp"
-#include "math/tolerances.hpp"
+#include "math/limits.hpp"
 
 #include <array>
 #include <cmath>
@@ -18,8 +18,7 @@ namespace carom {
 
 namespace detail {
 
-/// log 2 as a sum of two doubles, to 2^-110 of itself.
-inline constexpr DoubleDouble log_2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+inline constexpr DoubleDouble log_2{log_2_high, log_2_low};
 
 /// `count` reciprocals of `next(n)`, n from 0, each of them rounded once.
 template <class Real, int count, class Next>
@@ -48,8 +47,7 @@ const std::array<Real, exponential_terms>& inverse_factorials()
 template <class Real>
 const std::array<Real, logarithm_terms>& inverse_odd_numbers()
 {
-    static const auto table =
-        reciprocals<Real, logarithm_terms>([](int n) { return DoubleDouble(2.0 * n + 1); });
+    static const auto table = reciprocals<Real, logarithm_terms>([](int n) { return DoubleDouble(2.0 * n + 1); });
     return table;
 }
 

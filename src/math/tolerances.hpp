@@ -46,15 +46,4 @@ inline constexpr double catch_growth = 16;
 /// Distance [1, part of the guess] from which on the whole bracket is halved: guess (1 - 2 d) must stay above 0.
 inline constexpr double widest_catch = 0.5;
 
-// Exponential and logarithm (exponential.hpp): lengths of series, the same for double and double-double.
-
-/// Terms [1] of sum x^n / (n + 2)!: at |x| = 1 the first one left out is 1 / 33!, 2^-122.
-inline constexpr int exponential_terms = 31;
-/// Terms [1] of sum w^2n / (2 n + 1): at |w| = 1/3 the first one left out is 3^-70 / 71, 2^-117.
-inline constexpr int logarithm_terms = 35;
-/// Exponent [1] below which an exponential is 0: doubles end at e^-745.2.
-inline constexpr double smallest_exponent = -746;
-/// Argument z [1] up to which log(1 - z) comes from one series: w = z / (2 - z) is 1/3 there.
-inline constexpr double logarithm_near_1 = 0.5;
-
 }  // namespace carom

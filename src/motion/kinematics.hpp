@@ -24,8 +24,18 @@ struct ContactTime {
 template <bool gravity>
 struct PlainKinematics {
     static constexpr bool has_gravity = gravity;
+    static constexpr bool has_drag = false;
     static constexpr bool is_certified = false;
     /// \param limit contacts after it need not be found
+    static ContactTime pair_time(const State& state, BodyId a, BodyId b, const EpochTime& limit);
+    static ContactTime plane_time(const State& state, const Moving& sphere, int plane, const EpochTime& limit);
+};
+
+/// Times in double of motions that linear drag damps. \pre state.drag > 0
+struct DampedKinematics {
+    static constexpr bool has_gravity = true;
+    static constexpr bool has_drag = true;
+    static constexpr bool is_certified = false;
     static ContactTime pair_time(const State& state, BodyId a, BodyId b, const EpochTime& limit);
     static ContactTime plane_time(const State& state, const Moving& sphere, int plane, const EpochTime& limit);
 };
@@ -33,6 +43,7 @@ struct PlainKinematics {
 /// Times in double-double where two bodies, or one and a plane, are in free flight; elsewhere as PlainKinematics<true>.
 struct CertifiedKinematics {
     static constexpr bool has_gravity = true;
+    static constexpr bool has_drag = false;
     static constexpr bool is_certified = true;
     static ContactTime pair_time(const State& state, BodyId a, BodyId b, const EpochTime& limit);
     static ContactTime plane_time(const State& state, const Moving& sphere, int plane, const EpochTime& limit);

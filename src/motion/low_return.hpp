@@ -18,6 +18,9 @@ inline bool bounces_to_rounding(const State& state, BodyId a, BodyId b)
     return 0 < e && e < 1 && state.scene.rest.policy == RestPolicy::contact;
 }
 
+/// low_return under drag, with g the acceleration of a relative to b. \pre as there, but for how low the bounce is
+std::optional<double> damped_low_return(const PairMotion& m, const Vec3& g, double k);
+
 /// The time from m.from to the return of a sphere in flight that touches a fixed one, leaves it and is pressed on it,
 /// where the bounce is so low that the normal hardly turns; none otherwise. The root at 0 is divided out, so that the
 /// time is known to its own rounding, however low the bounce: that of the gap over the speed would be far larger.
@@ -31,6 +34,8 @@ inline std::optional<double> low_return(const State& state, BodyId a, BodyId b, 
     // |r + v t + g t^2/2|^2 = |r|^2, divided by t.
     const Accelerations& accelerations = state.bodies.accelerations();
     const Vec3 g = accelerations[m.acceleration_a] - accelerations[m.acceleration_b];
+    if (state.drag > 0) [[unlikely]]
+        return damped_low_return(m, g, state.drag);
     const double rate = 2 * m.r.dot(m.v), pull = m.v.squaredNorm() + m.r.dot(g), turn = m.v.dot(g),
                  fall = g.squaredNorm() / 4;
     if (!(rate > 0 && pull < 0)) return {};

@@ -64,13 +64,19 @@ ContactForces forces_at(const NumericCluster& cluster, const Bodies& bodies, std
     return solve_contact_forces(standing.problem, standing.curvature, guess);
 }
 
-/// The bodies of `from` after dt, at the velocities of `at` and the accelerations of `rate`.
-Bodies moved(const Bodies& from, const Bodies& at, const ContactForces& rate, double dt)
+/// The rate of a body's velocity, drag included. \param acceleration without drag
+Vec3 rate_of_velocity(const NumericCluster& cluster, const NumericBody& body, const Vec3& acceleration)
 {
-    Bodies out = from;
+    return cluster.drag > 0 ? Vec3(acceleration - cluster.drag * body.velocity) : acceleration;
+}
+
+/// The bodies of the cluster after dt, at the velocities of `at` and the accelerations of `forces` there.
+Bodies moved(const NumericCluster& cluster, const Bodies& at, const ContactForces& forces, double dt)
+{
+    Bodies out = cluster.bodies;
     for (std::size_t i = 0; i < out.size(); ++i) {
         out[i].position += dt * at[i].velocity;
-        out[i].velocity += dt * rate.accelerations[i];
+        out[i].velocity += dt * rate_of_velocity(cluster, at[i], forces.accelerations[i]);
     }
     return out;
 }
@@ -85,19 +91,21 @@ struct RungeKutta {
 RungeKutta runge_kutta(const NumericCluster& cluster, const ContactForces& k1, double h)
 {
     const Bodies& y1 = cluster.bodies;
-    const Bodies y2 = moved(y1, y1, k1, h / 2);
+    const Bodies y2 = moved(cluster, y1, k1, h / 2);
     const ContactForces k2 = forces_at(cluster, y2, k1.forces);
-    const Bodies y3 = moved(y1, y2, k2, h / 2);
+    const Bodies y3 = moved(cluster, y2, k2, h / 2);
     const ContactForces k3 = forces_at(cluster, y3, k2.forces);
-    const Bodies y4 = moved(y1, y3, k3, h);
+    const Bodies y4 = moved(cluster, y3, k3, h);
     const ContactForces k4 = forces_at(cluster, y4, k3.forces);
     RungeKutta out{y1, {}, {}, 0};
     for (std::size_t i = 0; i < y1.size(); ++i) {
         const Vec3 differ = k3.accelerations[i] - k2.accelerations[i];
         out.disagreement = std::max(out.disagreement, h * h / 6 * differ.cwiseAbs().maxCoeff());
         out.bodies[i].position += h / 6 * ((y1[i].velocity + y4[i].velocity) + 2 * (y2[i].velocity + y3[i].velocity));
-        out.bodies[i].velocity +=
-            h / 6 * ((k1.accelerations[i] + k4.accelerations[i]) + 2 * (k2.accelerations[i] + k3.accelerations[i]));
+        const auto rate = [&](const Bodies& at, const ContactForces& forces) {
+            return rate_of_velocity(cluster, at[i], forces.accelerations[i]);
+        };
+        out.bodies[i].velocity += h / 6 * ((rate(y1, k1) + rate(y4, k4)) + 2 * (rate(y2, k2) + rate(y3, k3)));
     }
     for (std::size_t i = 0; i < cluster.contacts.size(); ++i)
         out.forces.push_back(((k1.forces[i] + k4.forces[i]) + 2 * (k2.forces[i] + k3.forces[i])) / 6);
@@ -227,8 +235,9 @@ NumericBody within_step(const NumericCluster& cluster, const NumericStep& step, 
 {
     const double h = step.duration, s = t / h;
     NumericBody out = cluster.bodies[body];
-    const Vec3 v = out.velocity, a = h * step.start_accelerations[body];
-    const Vec3 gained = step.integrated[body].velocity - v - a, change = h * step.end_accelerations[body] - a;
+    const Vec3 v = out.velocity, a = h * rate_of_velocity(cluster, out, step.start_accelerations[body]);
+    const Vec3 gained = step.integrated[body].velocity - v - a,
+               change = h * rate_of_velocity(cluster, step.integrated[body], step.end_accelerations[body]) - a;
     const Vec3 c2 = 3 * gained - change, c3 = change - 2 * gained;
     out.velocity += s * (a + s * (c2 + s * c3));
     out.position += h * s * (v + s * (a / 2 + s * (c2 / 3 + s * (c3 / 4))));

@@ -48,6 +48,7 @@ struct NumericCluster {
     std::vector<NumericBody> bodies;
     std::vector<NumericContact> contacts;
     Vec3 gravity = Vec3::Zero();  ///< [length/time^2]
+    double drag = 0;              ///< k of linear drag [1/time]
     double opening = 0;           ///< a contact opens at gap rates (d2 gap/dt2) above this, > 0 [length/time^2]
     /// Steps are halved, some times, until places would differ by no more than this if the accelerations of one middle
     /// stage were those of the other [length]
@@ -61,8 +62,8 @@ struct NumericStep {
     double duration = 0;                    ///< up to `h`, or less: until a contact that carried force opens [time]
     std::vector<NumericBody> bodies;        ///< at its end
     std::vector<NumericBody> integrated;    ///< before gaps and rates were put back: where the motion leads smoothly
-    std::vector<Vec3> start_accelerations;  ///< by body [length/time^2]
-    std::vector<Vec3> end_accelerations;    ///< by body [length/time^2]
+    std::vector<Vec3> start_accelerations;  ///< by body, without drag [length/time^2]
+    std::vector<Vec3> end_accelerations;    ///< by body, without drag [length/time^2]
     std::vector<double> forces;             ///< by contact, mean over the step [mass length/time^2]
     double correction = 0;                  ///< energy that putting back took [energy]
     /// Contacts that carry and open within a millionth of h. A step from here would find them again and again: they are

@@ -1,5 +1,6 @@
 #include "motion/relative.hpp"
 
+#include "flight/damping.hpp"
 #include "math/length.hpp"
 #include "toi/sphere_sphere.hpp"
 #include "toi/sphere_sphere_accelerated.hpp"
@@ -61,6 +62,28 @@ PairMotion pair_motion(const State& state, const Moving& a, const Moving& b)
     return m;
 }
 
+PairMotion damped_pair_motion(const State& state, BodyId a, BodyId b)
+{
+    const Flight &fa = state.flight(a), &fb = state.flight(b);
+    PairMotion m;
+    m.from = std::max(fa.start, fb.start);
+    m.r = separation(state.frame, fa.place, fb.place);
+    m.v = fa.velocity - fb.velocity;
+    m.acceleration_a = fa.acceleration;
+    m.acceleration_b = fb.acceleration;
+    m.contact_distance = state.radius(a) + state.radius(b);
+    if (fa.start == fb.start) return m;
+    const bool a_is_older = fa.start < fb.start;
+    const Flight& older = a_is_older ? fa : fb;
+    const Vec3& acceleration = state.acceleration(older);
+    const Damping<double> d = damping(state.drag, state.frame.between(older.start, m.from));
+    const Vec3 way = displacement(older.velocity, acceleration, d),
+               velocity = velocity_after(older.velocity, acceleration, d);
+    m.r = a_is_older ? Vec3(m.r + way) : Vec3(m.r - way);
+    m.v = a_is_older ? Vec3(velocity - fb.velocity) : Vec3(fa.velocity - velocity);
+    return m;
+}
+
 Root pair_root(const State& state, const PairMotion& m)
 {
     if (m.acceleration_a == m.acceleration_b) return sphere_sphere_root(m.r, m.v, m.contact_distance);
@@ -116,6 +139,12 @@ Flight advanced(const State& state, BodyId body, const EpochTime& now)
         return f;
     }
     const Vec3& a = state.acceleration(f);
+    if (state.drag > 0) [[unlikely]] {
+        const Damping<double> d = damping(state.drag, dt);
+        f.place = moved(state.frame, f.place, displacement(f.velocity, a, d));
+        f.velocity = velocity_after(f.velocity, a, d);
+        return f;
+    }
     f.place = moved(state.frame, f.place, displacement(f.velocity, a, dt));
     f.velocity += dt * a;
     return f;

@@ -62,6 +62,15 @@ struct PairMotion : Relative<double> {
     bool swept = false;           ///< a series is involved: reaching S is an intrusion, not an impact
 };
 PairMotion pair_motion(const State& state, const Moving& a, const Moving& b);
+/// The same where motions are damped: nothing bounces in series then. \pre state.drag > 0
+PairMotion damped_pair_motion(const State& state, BodyId a, BodyId b);
+/// The one of both by which the run's bodies move.
+inline PairMotion lawful_pair_motion(const State& state, BodyId a, BodyId b)
+{
+    if (state.drag > 0) [[unlikely]]
+        return damped_pair_motion(state, a, b);
+    return pair_motion(state, moving(state, a), moving(state, b));
+}
 Root pair_root(const State& state, const PairMotion& motion);
 /// Whether two spheres certainly do not meet before `limit`, or before a piece of one of them ends. A quick answer:
 /// false where it takes more to know.

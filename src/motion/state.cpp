@@ -8,6 +8,7 @@ State::State(const Scene& s, Precision p)
       frame(make_frame(s)),
       laws(s),
       rest(rest_thresholds(s)),
+      drag(s.drag),
       tolerances(make_tolerances(s, rest)),
       loses_energy(laws.lose_energy()),
       rebound_gap(loses_energy && s.rest.policy == RestPolicy::contact && p == Precision::plain

@@ -20,6 +20,7 @@ struct State {
     const Frame frame;
     const ContactLaws laws;
     const RestThresholds rest;
+    const double drag;  ///< k of the scene; above 0 every motion is damped, pieces included [1/time]
     const Tolerances tolerances;
     const bool loses_energy;  ///< some e < 1
     /// Gap up to which a contact that closed less than tau_p ago counts as closed when another one closes [length]: v_c

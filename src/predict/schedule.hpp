@@ -7,6 +7,7 @@
 #include "predict/broad_phase.hpp"
 #include "predict/first_contact.hpp"
 #include "queue/event_queue.hpp"
+#include "toi/damped_plane.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -213,7 +214,10 @@ private:
                 const double v = f.velocity[axis], g = gravity ? state.acceleration(f)[axis] : 0;
                 const double slack = gravity ? broad_.slack() : 0;
                 const auto root = [&](double height, double speed, double pull) {
-                    return gravity ? plane_root(height + slack, speed, pull) : uniform_plane_root(height, speed);
+                    if constexpr (Kinematics::has_drag)
+                        return damped_plane_root(height + slack, speed, pull, state.drag);
+                    else
+                        return gravity ? plane_root(height + slack, speed, pull) : uniform_plane_root(height, speed);
                 };
                 if (v < 0 || g < 0)
                     keep_wall(root(broad_.above_lower_wall(state.frame, body, axis, f.place), v, g), axis, false);

@@ -81,8 +81,8 @@ TEST_CASE("logarithms are right to their bound from the smallest doubles to the 
     Random random(3);
     double worst = 0, worst_sharp = 0;
     for (int i = 0; i < 100000; ++i) {
-        const double y = i % 2 == 0 ? random.log_uniform(1e-300, 1e300)
-                                    : 1 + random.sign() * random.log_uniform(1e-15, 0.5);
+        const double y =
+            i % 2 == 0 ? random.log_uniform(1e-300, 1e300) : 1 + random.sign() * random.log_uniform(1e-15, 0.5);
         if (y == 1) continue;
         worst = std::max(worst, error(logarithm(y), log(Real(y))) / u);
         const DoubleDouble x = any_part(random, y);

@@ -76,3 +76,33 @@ TEST_CASE("only what touches a fixed sphere, leaves it and is pressed on it retu
     both.spheres[0].fixed = false;
     CHECK_FALSE(answer(both));
 }
+
+TEST_CASE("under drag the return of a low bounce is known to its own rounding, too")
+{
+    Random random(8);
+    int returns = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const Vec3 up = (Vec3::UnitZ() + 0.3 * random.in_cube(1)).normalized();
+        const double w = std::pow(10.0, random.uniform(-14, -1));
+        const Vec3 across = random.in_cube(1);
+        const Vec3 velocity = w * (up + random.uniform(0, 1) * (across - across.dot(up) * up));
+        Scene scene = leaving(up, velocity);
+        scene.drag = std::pow(10.0, random.uniform(-12, 6));
+        const State state(scene, Precision::plain);
+        const std::optional<double> t = low_return(state, 0, 1, damped_pair_motion(state, 0, 1));
+        if (!t) continue;
+        ++returns;
+        // |r + v s + g q|^2 = |r|^2 divided by s, whose sign changes within roundings of the time.
+        const Vec3& place = scene.spheres[1].position;
+        const Real3<Real> r = lift<Real>(place), v = lift<Real>(velocity), g = lift<Real>(earth);
+        const auto value = [&](const Real& time) {
+            const Real s = -expm1(-scene.drag * time) / scene.drag, p = (time - s) / scene.drag / s;
+            const Real mean = dot(v, v) + 2 * p * dot(v, g) + p * p * dot(g, g);
+            return Real(2 * dot(r, v) + 2 * p * dot(r, g) + s * mean);
+        };
+        CAPTURE(k, w, scene.drag, *t);
+        CHECK(value(*t * (1 - Real(8e-15))) > 0);
+        CHECK(value(*t * (1 + Real(8e-15))) < 0);
+    }
+    CHECK(returns > 1000);
+}

@@ -54,10 +54,11 @@ Change turned(const State& state, BodyId body, const EpochTime& now, const Vec3&
 }
 
 template <class Kinematics>
-void check_twins(const Vec3& gravity, Precision precision)
+void check_twins(const Vec3& gravity, Precision precision, double drag = 0)
 {
     Random random(11);
-    const Scene scene = crowd(random, gravity);
+    Scene scene = crowd(random, gravity);
+    scene.drag = drag;
     State state(scene, precision);
     Counts counts;
     Schedule<Kinematics, CellGrid, EventQueue> grid(state, counts);
@@ -97,6 +98,12 @@ TEST_CASE("without gravity the next contact does not depend on broad phase and q
 TEST_CASE("under gravity the next contact does not depend on broad phase and queue")
 {
     check_twins<PlainKinematics<true>>({0.3, -0.2, -9.81}, Precision::plain);
+}
+
+TEST_CASE("under drag the next contact does not depend on broad phase and queue")
+{
+    check_twins<DampedKinematics>({0.3, -0.2, -9.81}, Precision::plain, 0.7);
+    check_twins<DampedKinematics>(Vec3::Zero(), Precision::plain, 0.02);
 }
 
 TEST_CASE("in certified runs the next contact does not depend on broad phase and queue")
