@@ -41,7 +41,75 @@ Scene few_in_a_box(std::uint64_t seed)
     return scene;
 }
 
+/// A ball is thrown at a plane, or at a ball that flies, too.
+Scene thrown(Random& random)
+{
+    Scene scene = empty_scene(random.uniform(1, 4), random.in_cube(3), random.uniform(0.2, 1));
+    scene.drag = random.log_uniform(1e-9, 10);
+    const Vec3 from = random.in_cube(3), towards = random.direction();
+    add_sphere(scene, random.uniform(0.1, 0.5), from, random.uniform(1, 6) * towards + random.in_cube(0.5));
+    if (random.coin())
+        add_plane(scene, "plane", -towards, -towards.dot(from) - random.uniform(0.6, 3));
+    else
+        add_sphere(scene, random.uniform(0.1, 0.5), from + random.uniform(1.1, 2) * towards, random.in_cube(0.5));
+    return scene;
+}
+
+/// The gap at the first impact, from the flights that it ends [length].
+Float<50> gap_at_first_impact(const MemorySource& run)
+{
+    using Real = Float<50>;
+    const Event& event = run.events.front();
+    const Real k(run.description.frame.drag);
+    const auto time = [&](const EpochTime& t) {
+        return Real(t.epoch) * Real(run.description.frame.epoch_length) + Real(t.offset);
+    };
+    const auto place = [&](BodyId body) {
+        const FlightRecord& f = run.flights[static_cast<std::size_t>(body)];
+        const DampedTime<Real> effect(k, time(event.at) - time(f.start));
+        Real3<Real> x;
+        for (std::size_t i = 0; i < 3; ++i)
+            x[i] = effect.place(Real(f.cell[i]) * Real(run.description.frame.cell_size) + Real(f.local[i]),
+                                Real(f.velocity[i]), Real(run.description.gravity[static_cast<Eigen::Index>(i)]));
+        return x;
+    };
+    Real3<Real> x = place(event.a);
+    if (run.description.spheres.size() == 1) {
+        const Plane& plane = run.description.planes.front();
+        return dot(lift<Real>(plane.normal), x) - Real(plane.offset) - Real(run.description.spheres[0].radius);
+    }
+    const Real3<Real> y = place(event.b);
+    for (std::size_t i = 0; i < 3; ++i) x[i] -= y[i];
+    return sqrt(dot(x, x)) - Real(run.description.spheres[0].radius) - Real(run.description.spheres[1].radius);
+}
+
 }  // namespace
+
+TEST_CASE("100,000 throws with drag hold, and hit within the promise by 50 digits", "[verify][drag]")
+{
+    Random random(11);
+    int hits = 0;
+    double worst = 0;
+    for (int n = 0; n < 100000; ++n) {
+        const MemorySource run = recorded(thrown(random));
+        const Certificate certificate = examined(run);
+        if (!certificate.holds()) FAIL(n << ": " << first_violation(certificate));
+        if (run.events.empty()) continue;
+        ++hits;
+        double size = 0;
+        for (const FlightRecord& f : run.flights) {
+            if (f.start != EpochTime{}) break;
+            const double t = run.events.front().time;
+            size = std::max(size, t * (Vec3(f.velocity[0], f.velocity[1], f.velocity[2]).norm() +
+                                       t * run.description.gravity.norm()));
+        }
+        for (const RecordedSphere& sphere : run.description.spheres) size += sphere.radius;
+        worst = std::max(worst, std::abs(gap_at_first_impact(run).convert_to<double>()) / size);
+    }
+    INFO(hits << " hits, the gap at one at most " << worst << " of the radii and the way");
+    CHECK(hits > 60000);
+    CHECK(worst < 16 * 0x1p-52);
+}
 
 TEST_CASE("runs of the engine with drag hold: gases, gravity, losses, slopes, heaps", "[verify][drag]")
 {
