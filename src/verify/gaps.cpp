@@ -48,7 +48,7 @@ double Gaps::flown(BodyId body, const Ball& ball, const EpochTime& to) const
 {
     const double t = between<double>(ball.path.start, to);
     return std::max(static_cast<double>(flown_before_[static_cast<std::size_t>(body)]),
-                    t * (ball.path.velocity.norm() + t * ball.acceleration.norm()));
+                    lasting(ball.path, t) * (ball.path.velocity.norm() + t * ball.acceleration.norm()));
 }
 
 void Gaps::record(const GapFound& found, const EpochTime& from, const EpochTime& to, BodyId a, BodyId b)
@@ -184,7 +184,7 @@ void Gaps::count(BodyId body, const EpochTime& now)
     const Path path = flights_.path(body);
     const double epochs = between<double>(path.start, now), seconds = epochs * data_.units.time;
     flown_before_[static_cast<std::size_t>(body)] = static_cast<float>(
-        epochs * (path.velocity.norm() + epochs * data_.acceleration(path).norm()) * float_rounded_up);
+        lasting(path, epochs) * (path.velocity.norm() + epochs * data_.acceleration(path).norm()) * float_rounded_up);
     std::uint8_t& past = past_[static_cast<std::size_t>(body)];
     if (path.mode == Mode::numeric)
         past = left_by_numeric;

@@ -150,6 +150,26 @@ TEST_CASE("a damped flight shifted by 1e-12, or as much faster, is refused", "[v
     }
 }
 
+TEST_CASE("what is allowed goes with the way of a damped flight, not with its time", "[verify][drag]")
+{
+    // It falls for 400 at a speed of 0.5, which g t is far above.
+    Scene scene = damped_scene(2, 401, {0, 0, -1});
+    add_floor(scene);
+    add_sphere(scene, 0.5, {0, 0, 200.5}, {1, 0, 0});
+    const MemorySource run = damped_run(scene);
+    REQUIRE(run.flights.size() > 1);
+    CHECK(refusal(run).empty());
+    MemorySource forged = run;
+    forged.flights[1].local[2] += 1e-12;
+    CHECK_FALSE(refusal(forged).empty());
+    forged = run;
+    forged.flights[1].local[0] += 1e-14;
+    CHECK_FALSE(refusal(forged).empty());
+    forged = run;
+    forged.flights[1].velocity[2] += 1e-14;
+    CHECK_FALSE(refusal(forged).empty());
+}
+
 TEST_CASE("an impact with drag that is left out or invented is refused", "[verify][drag]")
 {
     const Scene scene = two_balls();
