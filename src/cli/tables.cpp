@@ -50,10 +50,11 @@ void add_thresholds(const Scene& scene, const Outcome& outcome, Lines& lines)
                                                 100 * times.guarded / all)});
     if (outcome.early_rest)
         lines.push_back(
-            {"early rest", fmt::format("{} times a sphere alone on another, whose bounces would be too many; {} by {} "
-                                       "at most",
-                                       outcome.counts.early_rests, scene.body_name(outcome.early_rest->body),
-                                       with_unit(outcome.early_rest->time, scene.units.time))});
+            {"early rest",
+             fmt::format("{} times a sphere alone on another or on a plane, whose bounces would be too many; {} by {} "
+                         "at most",
+                         outcome.counts.early_rests, scene.body_name(outcome.early_rest->body),
+                         with_unit(outcome.early_rest->time, scene.units.time))});
     const EnergyTaken& taken = outcome.energy_taken;
     std::string text;
     for (const auto& [name, energy] : {std::pair{"slow closings", taken.closing},
