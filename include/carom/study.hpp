@@ -73,9 +73,12 @@ struct CompareOptions {
     std::vector<double> dt;                                  ///< > 0, for discrete methods [time]
     std::vector<int> substeps{1}, passes{1};                 ///< >= 1
     std::vector<ContactOrder> orders{ContactOrder::index};   ///< for methods that visit contacts one by one
-    std::vector<Integrator> integrators{Integrator::euler};  ///< where there is gravity
+    std::vector<Integrator> integrators{Integrator::euler};  ///< where there is gravity or drag
     std::optional<std::vector<ImpactOperator>> impacts;      ///< for `event`; none: the scene's
     StepOptions step;                                        ///< literal, seed for all
+    std::optional<double> stiffness;                         ///< of `penalty`, see there [mass/time^2]
+    double hertz = Soft{}.hertz;                             ///< of `soft`, see there [1/time]
+    double damping_ratio = Soft{}.damping_ratio;             ///< of `soft`, see there
     double until = 0;                                        ///< > 0 [time]
     int repeats = 3;                  ///< timed runs at least, >= 1; more until the median is known to 5 %
     double repeat_seconds = 5;        ///< fewer repeats where they would take longer than this for one row [s]
@@ -136,6 +139,8 @@ struct CompareRow {
     std::optional<ContactOrder> order;                 ///< of methods that read it
     std::optional<Integrator> integrator;              ///< none for `event`
     std::optional<ImpactOperator> impact;              ///< of `event`
+    std::optional<double> stiffness;                   ///< of `penalty`; none: each contact has its own [mass/time^2]
+    std::optional<double> hertz, damping_ratio;        ///< of `soft` [1/time], [1]
     double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median, least and greatest of `repeats` timed runs [s]
     double cpu_low = 0, cpu_high = 0;                  ///< interval of the median, 95 % from six repeats on [s]
     int repeats = 0;  ///< 0: the recorded run alone was timed, it was too long to repeat

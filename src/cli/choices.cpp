@@ -234,7 +234,7 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
 {
     const Choices choices(args.given, scene.compare, file + ": /compare");
     choices.expect_known({"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats",
-                          "tolerance", "max_seconds", "impact"});
+                          "tolerance", "max_seconds", "impact", "stiffness", "hertz", "damping_ratio"});
     CompareSettings settings;
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
     CompareOptions& options = settings.compare;
@@ -247,6 +247,9 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
         choices.named_list("integrator", {Integrator::euler, Integrator::parabola}, carom::integrator);
     if (choices.has("impact")) options.impacts = choices.named_list<ImpactOperator>("impact", {}, impact_operator);
     options.step.literal = choices.flag("literal");
+    if (choices.has("stiffness")) options.stiffness = choices.number("stiffness", 0);
+    options.hertz = choices.number("hertz", options.hertz);
+    options.damping_ratio = choices.number("damping_ratio", options.damping_ratio);
     options.step.seed = global.seed.value_or(scene.seed);
     options.until = choices.number("until", scene.end_time);
     options.repeats = static_cast<int>(std::min(choices.integer("repeats", options.repeats), most_repeats));

@@ -62,6 +62,13 @@ void add_step_options(CLI::App& app, GivenOptions& given)
     add_literal(app, given);
 }
 
+void add_springs(CLI::App& app, GivenOptions& given)
+{
+    add_given(app, given, "--stiffness", "K", "penalty only: of every spring [two bodies: ten substeps in contact]");
+    add_given(app, given, "--hertz", "F", "soft only: frequency of the spring of an overlap [30]");
+    add_given(app, given, "--damping-ratio", "Z", "soft only: damping ratio of that spring [10]");
+}
+
 void add_scene_options(CLI::App& app, bool& allow_overlap, std::vector<std::string>& set)
 {
     app.add_flag("--allow-overlap", allow_overlap, "Let bodies overlap at the start");
@@ -82,10 +89,7 @@ void define_run(CLI::App& app, RunArguments& run)
     add_step_options(app, run.given);
     add_given(app, run.given, "--most-impacts", "N",
               "toi only: impacts of a sphere in a substep; further ones do not rebound [100]");
-    add_given(app, run.given, "--stiffness", "K",
-              "penalty only: of every spring [two bodies: ten substeps in contact]");
-    add_given(app, run.given, "--hertz", "F", "soft only: frequency of the spring of an overlap [30]");
-    add_given(app, run.given, "--damping-ratio", "Z", "soft only: damping ratio of that spring [10]");
+    add_springs(app, run.given);
     add_given(app, run.given, "--kernel", "K", "Force a kernel of the event method (carom explain lists them)");
     app.add_flag_callback(
         "--certified", [&run] { run.given["certified"] = "true"; },
@@ -131,11 +135,12 @@ void define_compare(CLI::App& app, CompareArguments& compare)
     add_given(app, compare.given, "--order", "LIST",
               "Orders of contacts in a pass: " + joined(contact_order_names) + " (pbd only) [index]");
     add_given(app, compare.given, "--integrator", "LIST",
-              "Motions between contacts: " + joined(integrator_names) + " [both where there is gravity]");
+              "Motions between contacts: " + joined(integrator_names) + " [both where gravity or drag bends paths]");
     add_given(app, compare.given, "--impact", "LIST",
               "Operators of the event method for several contacts at once: " + joined(impact_operator_names) +
                   " [the scene's]");
     add_literal(app, compare.given);
+    add_springs(app, compare.given);
     add_given(app, compare.given, "--until", "T", "End of the runs, counted from their start [the scene's end_time]");
     add_given(app, compare.given, "--repeats", "K", "Runs for the time, of which the median counts [3]");
     add_given(app, compare.given, "--tolerance", "X",

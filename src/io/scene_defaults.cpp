@@ -22,7 +22,7 @@ const std::vector<CommandOptions>& command_options()
          {"equilibrate"}},
         {"compare",
          {"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats", "tolerance",
-          "max_seconds", "impact"},
+          "max_seconds", "impact", "stiffness", "hertz", "damping_ratio"},
          {}},
         {"tunnel", {"speed", "thickness", "radius", "dt", "methods", "trials", "bisect"}, {}},
         {"view", {"out"}, {}},

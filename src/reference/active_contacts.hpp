@@ -55,8 +55,8 @@ Polynomial<Real> gap_after(const Link<Real>& l, const Step<Real>& step)
 /// The step with the contacts that carry: none of them pulls, and none of the others closes. Where forces and gaps
 /// vanish together the first of their derivatives that does not decides. None where that does not end.
 template <class Real>
-std::optional<ActiveStep<Real>> active_step(const Constrained<Real>& start, const Vector<Real>& gravity,
-                                            const Real& most, std::int64_t& roots, Patience& patience)
+std::optional<ActiveStep<Real>> active_step(const Constrained<Real>& start, const Field<Real>& field, const Real& most,
+                                            std::int64_t& roots, Patience& patience)
 {
     std::vector<bool> carries = start.carries;
     const std::size_t m = carries.size();
@@ -69,7 +69,7 @@ std::optional<ActiveStep<Real>> active_step(const Constrained<Real>& start, cons
             if (carries[i]) active.push_back(i), out.group.links.push_back(start.group.links[i]);
         std::vector<Vector<Real>> x = start.x, v = start.v;
         project(out.group, x, v);
-        out.step = step(out.group, x, v, gravity, start.radii, most);
+        out.step = step(out.group, x, v, field, start.radii, most);
         if (out.step.dependent) return std::nullopt;
 
         const Real& length = out.step.length;

@@ -23,18 +23,19 @@ struct Ball {
     std::optional<Real> step_end;  ///< until when its flight holds, if it is a step of constrained motion
     bool supported = false;        ///< it has a persistent contact
     bool fixed;
+    Real drag;  ///< of the field [1/time]
 
-    explicit Ball(const Sphere& s, const Vector<Real>& gravity) : radius(s.radius), mass(s.mass), fixed(s.fixed)
+    Ball(const Sphere& s, const Field<Real>& field) : radius(s.radius), mass(s.mass), fixed(s.fixed), drag(field.drag)
     {
-        flight = {0, Vector<Real>(s.position), Vector<Real>(s.velocity), fixed ? Vector<Real>() : gravity, {}};
-        fastest = size(flight.v);
-        shadow = {0, s.radius, s.position, s.velocity, flight.a.rounded(), 0};
+        shadow.radius = s.radius;
+        const Vector<Real> a = fixed ? Vector<Real>() : field.gravity;
+        follow({0, Vector<Real>(s.position), Vector<Real>(s.velocity), a, {}, drag}, std::nullopt);
     }
 
     /// New velocity and acceleration at time t.
     void fly(const Real& t, const Vector<Real>& v, const Vector<Real>& a)
     {
-        follow({t, flight.position(t), v, a, {}}, std::nullopt);
+        follow({t, flight.position(t), v, a, {}, drag}, std::nullopt);
     }
 
     void follow(Flight<Real> path, const std::optional<Real>& end)
@@ -47,9 +48,13 @@ struct Ball {
             for (int k = 0; k < 3; ++k) power *= *end - flight.t;
             for (const Vector<Real>& c : flight.higher) wander += size(c) * power, power *= *end - flight.t;
         }
-        shadow = {
-            static_cast<double>(flight.t), shadow.radius, flight.x.rounded(), flight.v.rounded(), flight.a.rounded(),
-            static_cast<double>(wander)};
+        shadow = {static_cast<double>(flight.t),
+                  shadow.radius,
+                  flight.x.rounded(),
+                  flight.v.rounded(),
+                  flight.a.rounded(),
+                  static_cast<double>(wander),
+                  static_cast<double>(flight.drag)};
     }
 };
 

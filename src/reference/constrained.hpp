@@ -3,7 +3,7 @@
 ///
 /// With arms r_i = x_a - x_b (a plane: its normal n) and forces f_i r_i the equations are polynomial: x'' = g + sum of
 /// f_i r_i / m, and r_i.r_i, or n.x_a, is constant. So each order of the series needs sums of products and one solution
-/// of the same linear equations (a Taylor method for the index-reduced equations; this project).
+/// of the same linear equations (a Taylor method for the index-reduced equations; this project). Drag adds -k x'.
 #pragma once
 
 #include "reference/group.hpp"
@@ -58,8 +58,9 @@ Real fades(const std::vector<Vector<Real>>& path, const Real& radius, const Real
 /// \param most longest step wanted [time]
 template <class Real>
 Step<Real> step(const Group<Real>& group, const std::vector<Vector<Real>>& x, const std::vector<Vector<Real>>& v,
-                const Vector<Real>& gravity, const Numbers<Real>& radii, const Real& most)
+                const Field<Real>& field, const Numbers<Real>& radii, Real most)
 {
+    if (field.drag > 0) most = std::min<Real>(most, 1 / field.drag);  // see Flight::coefficients
     const Group<Real> g = with_arms(group, x);
     const std::size_t m = g.links.size(), n = g.bodies.size();
     const Factor<Real> factor(g.coupling(), first(m));
@@ -73,7 +74,9 @@ Step<Real> step(const Group<Real>& group, const std::vector<Vector<Real>>& x, co
     };
     for (std::size_t i = 0; i < m; ++i) arms[i].push_back(g.links[i].n), extend(i, 1);
     for (std::size_t k = 0; k + 2 < step_terms<Real>; ++k) {
-        std::vector<Vector<Real>> a(n, k == 0 ? gravity : Vector<Real>());
+        std::vector<Vector<Real>> a(n, k == 0 ? field.gravity : Vector<Real>());
+        for (std::size_t b = 0; b < n && field.drag > 0; ++b)
+            a[b] = a[b] - out.paths[b][k + 1] * (field.drag * static_cast<int>(k + 1));
         for (std::size_t i = 0; i < m; ++i) {
             Vector<Real> push;
             for (std::size_t j = 0; j < k && g.links[i].bend != 0; ++j) push = push + arms[i][k - j] * out.forces[i][j];

@@ -2,8 +2,8 @@
 /// The spheres of a run, where they touch each other and planes, and which of these contacts persist.
 #pragma once
 
+#include "reference/damped_contact.hpp"
 #include "reference/group.hpp"
-#include "reference/roots.hpp"
 
 #include <algorithm>
 #include <map>
@@ -18,7 +18,8 @@ class Contacts {
 public:
     Contacts(const Scene& scene, Patience& patience) : scene_(scene), patience_(patience)
     {
-        for (const Sphere& s : scene.spheres) balls_.emplace_back(s, Vector<Real>(scene.gravity));
+        const Field<Real> field{Vector<Real>(scene.gravity), scene.drag};
+        for (const Sphere& s : scene.spheres) balls_.emplace_back(s, field);
         patience_.begin("reference: contacts at the start", count(), "spheres");
         for (BodyId i = 0; i < count() && patience_.lasts(i); ++i) declare(i);
     }
@@ -117,7 +118,7 @@ public:
             if (j < count() && approach(i, j, now_rounded).misses(horizon)) return;
             Real latest = ball.step_end ? std::min<Real>(until, *ball.step_end) : until;
             if (j < count() && balls_[j].step_end) latest = std::min<Real>(latest, *balls_[j].step_end);
-            ++questions;
+            questions += ball.drag > 0 ? questions_a_damped_one : 1;
             const std::optional<Real> dt = contact_in(i, j, now, latest, root_solves);
             if (!dt || now + *dt > ball.next || (now + *dt == ball.next && ball.partner != no_body)) return;
             ball.next = now + *dt;
@@ -173,17 +174,22 @@ public:
         if (j < count()) {
             const Flight<Real>& other = balls_[j].flight;
             const Real sum = balls_[i].radius + balls_[j].radius;
-            if (!f.higher.empty() || !other.higher.empty())
+            if (!f.higher.empty() || !other.higher.empty() || f.drag != other.drag)
                 return path_contact(gap_of_squares(f.coefficients(now), other.coefficients(now), sum), Real(sum * sum),
                                     Real(until - now), root_solves);
             const Vector<Real> u = other.velocity(now), r = x - other.position(now), a = f.a - other.a;
             const Vector<Real> w = size(v - u) <= rounding * (size(v) + size(u)) ? Vector<Real>() : v - u;
-            if (size(a) <= rounding * pull) return sphere_contact<Real>(r, w, sum, root_solves);
-            return accelerated_contact<Real>(r, w, a, sum, 2 * (until - now), root_solves);  // the end is in it
+            if (size(a) <= rounding * pull) {
+                const std::optional<Real> way = sphere_contact<Real>(r, w, sum, root_solves);
+                return way ? time_of(f.drag, *way) : way;
+            }
+            return DistanceGap<Real>(r, w, a, f.drag, sum).first_fall(until - now, root_solves);
         }
         const Face<Real> p = face(j, balls_[i]);
         const Real gap = snapped(p.gap(x), balls_[i].radius), rate = snapped(dot(p.n, v), size(v));
-        if (f.higher.empty()) return plane_contact(gap, rate, snapped(dot(p.n, f.a), pull), root_solves);
+        const Real press = snapped(dot(p.n, f.a), pull);
+        if (f.drag > 0) return damped_plane_contact<Real>(gap, rate, press, f.drag, until - now, root_solves);
+        if (f.higher.empty()) return plane_contact(gap, rate, press, root_solves);
         Polynomial<Real> way;
         for (const Vector<Real>& c : f.coefficients(now)) way.push_back(dot(p.n, c));
         way[0] = gap;

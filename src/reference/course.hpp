@@ -17,7 +17,7 @@ public:
 
     /// \param effort see `max_effort`
     Course(const Scene& scene, const Real& until, Patience& patience, std::int64_t effort)
-        : gravity_(scene.gravity),
+        : field_{Vector<Real>(scene.gravity), scene.drag},
           patience_(patience),
           balls_(scene, patience),
           scene_(scene),
@@ -95,7 +95,7 @@ protected:
         Constrained<Real> start{g, std::move(carries), balls_.positions(g, t), std::move(v), {}};
         for (const BodyId i : g.bodies) start.radii.push_back(balls_[i].radius);
         const std::optional<ActiveStep<Real>> next =
-            active_step(start, gravity_, Real(until_ - t), record.root_solves, patience_);
+            active_step(start, field_, Real(until_ - t), record.root_solves, patience_);
         if (!next) {
             if (!stopped()) stop("contacts carry force that is not unique while their normals turn", g, t);
             return;
@@ -114,7 +114,7 @@ protected:
             Ball<Real>& ball = balls_[g.bodies[k]];
             ball.supported = supported[k];
             Flight<Real> flight{t, path[0], path[1], path[2] * Real(2), {path.begin() + 3, path.end()}};
-            if (!supported[k]) flight.a = gravity_, flight.higher.clear();
+            if (!supported[k]) flight.a = field_.gravity, flight.drag = field_.drag, flight.higher.clear();
             const bool turns = std::any_of(flight.higher.begin(), flight.higher.end(),
                                            [](const Vector<Real>& c) { return size(c) > 0; });
             if (!turns) flight.higher.clear();
@@ -122,7 +122,7 @@ protected:
         }
     }
 
-    Vector<Real> gravity_;
+    Field<Real> field_;
     Patience& patience_;
     Contacts<Real> balls_;
 
@@ -132,7 +132,7 @@ private:
     {
         Real still = 0;
         for (const BodyId i : g.bodies) still = std::max<Real>(still, balls_.lowest_speed(i, i));
-        const Persistence<Real> next = persistence(g, v, gravity_, still, patience_);
+        const Persistence<Real> next = persistence(g, v, field_.gravity, still, patience_);
         if (next.turns) {
             Group<Real> staying{g.bodies, g.lightness, {}};
             std::vector<bool> carries;

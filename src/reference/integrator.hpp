@@ -63,7 +63,7 @@ public:
 
 private:
     using typename Course<Real>::Vectors;
-    using Course<Real>::balls_, Course<Real>::gravity_, Course<Real>::patience_, Course<Real>::persist,
+    using Course<Real>::balls_, Course<Real>::field_, Course<Real>::patience_, Course<Real>::persist,
         Course<Real>::carry, Course<Real>::stop;
 
     /// Laws of one contact and of several: docs/impacts.md, sections 1 and 3. \param limit bounces that are summed end
@@ -112,12 +112,12 @@ private:
         const Real w = dot(l.n, v[0]);
         // With friction it slides less far each time; what it may meet is looked for along one path.
         if (l.partner < balls_.count() || !(w > 0) || l.law.tangential < 1) return t;
-        const Vector<Real> fall = along(gravity_, l.n);
-        Flight<Real> slide{t, balls_[i].flight.position(t), v[0] - along(v[0], l.n), gravity_ - fall, {}};
+        const Vector<Real> fall = along(field_.gravity, l.n);
+        Flight<Real> slide{t, balls_[i].flight.position(t), v[0] - along(v[0], l.n), field_.gravity - fall, {}};
         const Real pull = pull_on(l, v[0]), e = l.law.restitution, end = t + 2 * w / (pull * (1 - e));
         if (end > limit || !balls_.alone_until(i, l.partner, slide, Real(w * w / pull), end)) return t;
         v[0] = slide.velocity(end);
-        balls_[i].follow({end, slide.position(end), v[0], gravity_, {}}, std::nullopt);
+        balls_[i].follow({end, slide.position(end), v[0], field_.gravity, {}}, std::nullopt);
         return end;
     }
 
@@ -155,11 +155,12 @@ private:
         }
     }
 
-    /// A bounce of one sphere alone on a plane or fixed sphere that it is pressed on, lower than `series_height`.
+    /// A bounce of one sphere alone on a plane or fixed sphere that it is pressed on, lower than `series_height`; with
+    /// drag bounces make no geometric series.
     bool is_low(const Group<Real>& g, const Numbers<Real>& before, const Vectors& v) const
     {
         const Link<Real>& l = g.links[0];
-        if (g.links.size() > 1 || l.b != immovable || l.law.restitution == 1) return false;
+        if (g.links.size() > 1 || l.b != immovable || l.law.restitution == 1 || field_.drag > 0) return false;
         const Real w = l.law.restitution * before[0], pull = pull_on(l, v[0]);
         return pull > 0 && w * w < 2 * pull * series_height * balls_[g.bodies[0]].radius;
     }
@@ -167,7 +168,7 @@ private:
     Real pull_on(const Link<Real>& l, const Vector<Real>& v) const
     {
         const Vector<Real> w = v - along(v, l.n);
-        return -snapped(Real(dot(l.n, gravity_) + dot(w, w) * l.bend), size(gravity_));
+        return -snapped(Real(dot(l.n, field_.gravity) + dot(w, w) * l.bend), size(field_.gravity));
     }
 
     void begin_series(const Group<Real>& g, const Vectors& v, const Real& t)

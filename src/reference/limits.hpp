@@ -44,6 +44,8 @@ inline constexpr std::size_t cubes_an_impact = 100;
 inline constexpr std::size_t pairs_an_impact = 250;
 /// Times of contact [1] that are as much effort as an impact: measured.
 inline constexpr std::int64_t questions_an_impact = 20;
+/// Times of contact [1] without drag that are as much effort as one with it, whose root takes exponentials: measured.
+inline constexpr std::int64_t questions_a_damped_one = 8;
 /// Effort of a step of constrained motion [impacts] for each of its contacts: measured.
 inline constexpr std::size_t impacts_a_step = 15;
 /// Events at one time [1]: bounces whose gaps 50 digits do not tell any more, down to the speeds that they do.
@@ -69,6 +71,11 @@ template <class Real>
 inline constexpr double last_digit = is_high<Real> ? 1e-99 : 1e-49;
 /// Halvings of an interval in which a polynomial is not monotone [1]: 1e-24 of it is a graze.
 inline constexpr int most_halvings = 80;
+/// Halvings of the time that is left in which a distance is not monotone [1]: bounces end at 1e-30 of the fastest,
+/// and take as small a part of it, times at most 1e9.
+inline constexpr int most_damped_halvings = 130;
+/// Drag times a time [1] from which (t - s) / k may lose its digit and no more; below it 50 terms are the sum.
+inline constexpr double series_damping = 0.125;
 
 // Zero in 50 digits, which leave errors near 1e-50 of the scales below.
 

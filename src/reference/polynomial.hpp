@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace carom::reference {
@@ -31,14 +32,15 @@ Polynomial<Real> derivative(const Polynomial<Real>& p)
     return d;
 }
 
-/// The root between low and high, at which p has different signs: Newton steps, halved where they leave the bracket.
-template <class Real>
-Real root_between(const Polynomial<Real>& p, const Polynomial<Real>& d, Real low, Real high)
+/// The root between low and high, at which a function has different signs: Newton steps, halved where they leave the
+/// bracket. \param at the function and its slope at a time
+template <class Real, class At>
+Real bracketed_root(const At& at, Real low, Real high)
 {
-    const bool rises = value(p, high) > 0;
+    const bool rises = at(high).first > 0;
     Real t = (low + high) / 2;
     for (int k = 0; k < most_root_steps; ++k) {
-        const Real f = value(p, t), slope = value(d, t);
+        const auto [f, slope] = at(t);
         if (f == 0) return t;
         ((f > 0) == rises ? high : low) = t;
         Real next = slope == 0 ? low : Real(t - f / slope);
@@ -49,24 +51,10 @@ Real root_between(const Polynomial<Real>& p, const Polynomial<Real>& d, Real low
     }
     return t;
 }
-
-/// Sign changes of p, of a low degree, in (0, end), ascending: between the roots of its derivative, which are
-/// found between those of the next one, down to a line. `roots` counts brackets solved.
 template <class Real>
-std::vector<Real> sign_changes(const Polynomial<Real>& p, const Real& end, std::int64_t& roots)
+Real root_between(const Polynomial<Real>& p, const Polynomial<Real>& d, const Real& low, const Real& high)
 {
-    if (p.size() < 2) return {};
-    const Polynomial<Real> d = derivative(p);
-    std::vector<Real> ends{Real(0)}, found;
-    for (const Real& t : sign_changes(d, end, roots)) ends.push_back(t);
-    ends.push_back(end);
-    for (std::size_t k = 1; k < ends.size(); ++k) {
-        const Real f = value(p, ends[k - 1]), g = value(p, ends[k]);
-        if (!((f < 0 && g > 0) || (f > 0 && g < 0))) continue;
-        ++roots;
-        found.push_back(root_between(p, d, ends[k - 1], ends[k]));
-    }
-    return found;
+    return bracketed_root<Real>([&](const Real& t) { return std::pair(value(p, t), value(d, t)); }, low, high);
 }
 
 /// p(t + 1).

@@ -4,7 +4,7 @@
 
 #include <carom/types.hpp>
 
-#include "reference/limits.hpp"
+#include "reference/damping.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -16,6 +16,10 @@ struct Shadow {
     double t = 0, radius = 0;
     Vec3 x = Vec3::Zero(), v = Vec3::Zero(), a = Vec3::Zero();
     double wander = 0;  ///< how far from that parabola it may be in its step [length]
+    double drag = 0;    ///< of the flight [1/time]
+
+    /// Acceleration once it has this velocity; it fades from there [length/time^2].
+    Vec3 fading(const Vec3& velocity) const { return a - drag * velocity; }
 };
 
 /// Relative motion of two spheres from `now` on, with bounds for what rounding did to it.
@@ -26,11 +30,14 @@ struct Approach {
     Approach(const Shadow& a, const Shadow& b, double now)
         : acceleration(a.a - b.a), sum(a.radius + b.radius), wander(a.wander + b.wander)
     {
-        const double ta = now - a.t, tb = now - b.t;
-        const Vec3 xa = a.x + (a.v + a.a * (ta / 2)) * ta, xb = b.x + (b.v + b.a * (tb / 2)) * tb;
-        const Vec3 va = a.v + a.a * ta, vb = b.v + b.a * tb;
+        const Damped<double> da = damped(a.drag, now - a.t), db = damped(b.drag, now - b.t);
+        const Vec3 xa = a.x + a.v * da.s + a.a * da.q, xb = b.x + b.v * db.s + b.a * db.q;
+        const Vec3 va = a.v + a.fading(a.v) * da.s, vb = b.v + b.fading(b.v) * db.s;
         r = xa - xb;
         v = va - vb;
+        // With one drag the way is v s + acceleration q, shorter than without it; a polynomial has what drag makes of
+        // it.
+        if (a.drag != b.drag) acceleration = a.fading(va).cwiseAbs() + b.fading(vb).cwiseAbs();
         v_slack = shadow_error * (size(va) + size(vb) + (size(a.a) + size(b.a)) * now);
         slack = shadow_error * (size(xa) + size(xb) + sum) + v_slack * now + wander;
     }

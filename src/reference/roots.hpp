@@ -65,22 +65,6 @@ Polynomial<Real> opened(Polynomial<Real> p)
     return p;
 }
 
-/// First t in [0, end) at which |r + v t + a t^2/2| = sum and falling, as between a fixed sphere and a falling one: a
-/// quartic. Closed and still, pressed together by `a`: 0.
-template <class Real>
-std::optional<Real> accelerated_contact(const Vector<Real>& r, const Vector<Real>& v, const Vector<Real>& a,
-                                        const Real& sum, const Real& end, std::int64_t& roots)
-{
-    const Real scale = sum * sum, pull = dot(v, v) + dot(r, a);
-    Polynomial<Real> p{snapped(dot(r, r) - scale, scale), 2 * snapped(dot(r, v), sum * size(v)),
-                       abs(pull) <= sign_change * sum * size(a) ? Real(0) : pull, dot(v, a), dot(a, a) / 4};
-    if (falls_at_once(p)) return Real(0);
-    p = opened(p);
-    for (const Real& t : sign_changes(p, end, roots))
-        if (value(derivative(p), t) < 0) return t;
-    return std::nullopt;
-}
-
 /// |a - b|^2 - sum^2 of two paths, its first two coefficients snapped.
 template <class Real>
 Polynomial<Real> gap_of_squares(std::vector<Vector<Real>> a, const std::vector<Vector<Real>>& b, const Real& sum)

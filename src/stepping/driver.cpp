@@ -38,6 +38,16 @@ std::string option_problem(const StepOptions& options, double until, std::span<c
     return "";
 }
 
+std::string damping_problem(const StepOptions& options, double drag)
+{
+    const double h = options.dt / options.substeps;
+    if (options.integrator != Integrator::euler || h * drag < unstable_damping) return "";
+    const double longest = unstable_damping / drag;
+    return "a substep of " + text(h) + " with the integrator euler is unstable at a drag of " + text(drag) +
+           ": it must be shorter than " + text(longest) + " (take dt < " + text(longest * options.substeps) +
+           ", more substeps, or the integrator parabola)";
+}
+
 std::string divergence_message(const Scene& scene, std::size_t sphere, double time)
 {
     return "diverged: the position of sphere \"" + scene.spheres[sphere].id + "\" is not finite at t = " + text(time);

@@ -19,6 +19,8 @@ std::string text(double value);
 /// What is wrong with the options, empty if nothing.
 /// \param more_orders those that the method knows beside index, reverse, random and deepest
 std::string option_problem(const StepOptions& options, double until, std::span<const ContactOrder> more_orders);
+/// What is wrong with the substep where drag acts, empty if nothing: semi-implicit Euler must take less than 2 / drag.
+std::string damping_problem(const StepOptions& options, double drag);
 std::string divergence_message(const Scene& scene, std::size_t sphere, double time);
 std::string limit_message(const char* what, double time, double until);
 /// The outcome from the state as it is.
@@ -53,6 +55,8 @@ Outcome drive(const Scene& scene, const Method& options, const RunOptions& run, 
 {
     const double until = std::isnan(run.until) ? scene.end_time : run.until;
     if (std::string problem = option_problem(options, until, Method::more_orders); !problem.empty())
+        return refuse(system, std::move(problem));
+    if (std::string problem = damping_problem(options, scene.drag); !problem.empty())
         return refuse(system, std::move(problem));
     Outcome outcome;
     const auto stop = [&](Status status, std::string message) {

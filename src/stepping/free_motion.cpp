@@ -4,19 +4,44 @@ namespace carom::stepping {
 
 namespace {
 
-void change_velocities(Bodies& bodies, const Vec3& gravity, double h)
+void stop_fixed(Bodies& bodies)
 {
-    const Vec3 change = h * gravity;
-    for (Vec3& v : bodies.velocity) v += change;
     for (const std::size_t i : bodies.fixed) bodies.velocity[i] = Vec3::Zero();
 }
 
-void move_straight(Bodies& bodies, double h)
+/// Gravity for a time, and drag for it on the velocities before.
+void change_velocities(Bodies& bodies, const Vec3& gravity, double drag, double time)
 {
-    for (std::size_t i = 0; i < bodies.size(); ++i) bodies.position[i] += h * bodies.velocity[i];
+    if (drag > 0) {
+        for (Vec3& v : bodies.velocity) v += time * (gravity - drag * v);
+    } else {
+        const Vec3 change = time * gravity;
+        for (Vec3& v : bodies.velocity) v += change;
+    }
+    stop_fixed(bodies);
+}
+
+void move_straight(Bodies& bodies, double time)
+{
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies.position[i] += time * bodies.velocity[i];
 }
 
 }  // namespace
+
+const DampedTimes& FreeMotion::times_of(double h)
+{
+    if (h != known_length_) {
+        known_length_ = h;
+        known_times_ = damped_times(drag_, h);
+    }
+    return known_times_;
+}
+
+double FreeMotion::weight_of_end(double h)
+{
+    const DampedTimes& times = times_of(h);
+    return times.q / (times.s * h);
+}
 
 void FreeMotion::fly(Bodies& bodies, double h)
 {
@@ -26,11 +51,12 @@ void FreeMotion::fly(Bodies& bodies, double h)
             remember(bodies, h, false);
             bodies.velocity = start_;
         }
-        move_straight(bodies, h);
-        const Vec3 bend = (h * h / 2) * gravity_;
+        const DampedTimes times = times_of(h);
+        move_straight(bodies, times.s);
+        const Vec3 bend = times.q * gravity_;
         for (std::size_t i = 0; i < bodies.size(); ++i)
             if (bodies.inverse_mass[i] > 0) bodies.position[i] += bend;
-        change_velocities(bodies, gravity_, h);
+        change_velocities(bodies, gravity_, drag_, times.s);
     } else {
         accelerate(bodies, h);
         move_pushed(bodies, h);
@@ -39,9 +65,10 @@ void FreeMotion::fly(Bodies& bodies, double h)
 
 void FreeMotion::accelerate(Bodies& bodies, double h)
 {
-    const bool keeps = integrator_ == Integrator::parabola || track_.is_wanted();
+    const bool is_exact = integrator_ == Integrator::parabola;
+    const bool keeps = is_exact || track_.is_wanted();
     if (keeps) start_ = bodies.velocity;
-    change_velocities(bodies, gravity_, h);
+    change_velocities(bodies, gravity_, drag_, is_exact ? times_of(h).s : h);
     if (keeps) free_ = bodies.velocity;
 }
 
@@ -49,24 +76,71 @@ void FreeMotion::move_pushed(Bodies& bodies, double h)
 {
     if (track_.is_wanted()) remember(bodies, h, false);
     if (integrator_ == Integrator::euler) return move_straight(bodies, h);
-    for (std::size_t i = 0; i < bodies.size(); ++i) bodies.position[i] += (h / 2) * (start_[i] + bodies.velocity[i]);
+    const double w = weight_of_end(h);
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies.position[i] += h * mean_velocity(bodies, i, w);
 }
 
 void FreeMotion::move_struck(Bodies& bodies, double h)
 {
     if (track_.is_wanted()) remember(bodies, h, true);
     if (integrator_ == Integrator::euler) return move_straight(bodies, h);
+    const double w = weight_of_end(h);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec3& v = bodies.velocity[i];
-        bodies.position[i] += v == free_[i] ? Vec3((h / 2) * (start_[i] + v)) : Vec3(h * v);
+        bodies.position[i] += h * (v == free_[i] ? mean_velocity(bodies, i, w) : v);
     }
+}
+
+Vec3 FreeMotion::mean_velocity(const Bodies& bodies, std::size_t i, double w) const
+{
+    return (1 - w) * start_[i] + w * bodies.velocity[i];
+}
+
+void FreeMotion::resist(Bodies& bodies, double time)
+{
+    lost_.clear();
+    if (!(drag_ > 0)) return;
+    for (Vec3& v : bodies.velocity) {
+        lost_.push_back((time * drag_) * v);
+        v -= lost_.back();
+    }
+}
+
+double FreeMotion::resist_before(Bodies& bodies, double h)
+{
+    // The time for which gravity and drag act on the velocities at the begin to make them the mean ones.
+    const double time = integrator_ == Integrator::euler ? h : times_of(h).s * weight_of_end(h);
+    resist(bodies, time);
+    return time;
+}
+
+double FreeMotion::resist_after(Bodies& bodies, double h)
+{
+    if (integrator_ == Integrator::euler) return 0;
+    // The same from the mean velocities to those at the end.
+    const double time = h * (1 - weight_of_end(h));
+    resist(bodies, time);
+    return time;
+}
+
+void FreeMotion::fall_before(Bodies& bodies, double time)
+{
+    if (track_.is_wanted()) {
+        start_ = bodies.velocity;
+        for (std::size_t i = 0; i < lost_.size(); ++i) start_[i] += lost_[i];
+    }
+    change_velocities(bodies, gravity_, 0, time);
+    if (track_.is_wanted()) free_ = bodies.velocity;
+}
+
+void FreeMotion::fall_after(Bodies& bodies, double time) const
+{
+    if (time > 0) change_velocities(bodies, gravity_, 0, time);
 }
 
 void FreeMotion::kick_before(Bodies& bodies, double h)
 {
-    if (track_.is_wanted()) start_ = bodies.velocity;
-    change_velocities(bodies, gravity_, integrator_ == Integrator::euler ? h : h / 2);
-    if (track_.is_wanted()) free_ = bodies.velocity;
+    fall_before(bodies, resist_before(bodies, h));
 }
 
 void FreeMotion::drift(Bodies& bodies, double h)
@@ -75,13 +149,14 @@ void FreeMotion::drift(Bodies& bodies, double h)
     move_straight(bodies, h);
 }
 
-void FreeMotion::kick_after(Bodies& bodies, double h) const
+void FreeMotion::kick_after(Bodies& bodies, double h)
 {
-    if (integrator_ == Integrator::parabola) change_velocities(bodies, gravity_, h / 2);
+    fall_after(bodies, resist_after(bodies, h));
 }
 
 void FreeMotion::remember_drift(const Bodies& bodies)
 {
+    const bool is_bent = integrator_ == Integrator::parabola;
     track_.clear(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const bool is_free = bodies.velocity[i] == free_[i] && bodies.inverse_mass[i] > 0;
@@ -89,15 +164,18 @@ void FreeMotion::remember_drift(const Bodies& bodies)
         leg.position = bodies.position[i];
         leg.velocity = start_[i];  // a rebound is at the end of the substep
         leg.acceleration = is_free ? gravity_ : Vec3(Vec3::Zero());
-        const bool is_bent = integrator_ == Integrator::parabola;
         leg.slope = is_bent && is_free ? leg.velocity : bodies.velocity[i];
         leg.bend = is_bent ? leg.acceleration : Vec3(Vec3::Zero());
+        if (is_free && is_bent) leg.drag = drag_;
+        if (is_free && !is_bent && drag_ > 0) leg.acceleration -= drag_ * start_[i];
         track_.begin(i, leg);
     }
 }
 
 void FreeMotion::remember(const Bodies& bodies, double h, bool struck)
 {
+    const bool is_bent = integrator_ == Integrator::parabola;
+    const double time = is_bent ? times_of(h).s : h;
     track_.clear(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec3& end = bodies.velocity[i];
@@ -107,8 +185,11 @@ void FreeMotion::remember(const Bodies& bodies, double h, bool struck)
         Leg leg;
         leg.position = bodies.position[i];
         leg.velocity = is_even && !struck ? end : start_[i];
-        leg.acceleration = is_even ? Vec3(Vec3::Zero()) : Vec3((end - start_[i]) / h);
-        const bool is_bent = integrator_ == Integrator::parabola;
+        leg.acceleration = is_even ? Vec3(Vec3::Zero()) : Vec3((end - start_[i]) / time);
+        if (is_bent && !is_even && drag_ > 0) {
+            leg.drag = drag_;
+            leg.acceleration += drag_ * start_[i];
+        }
         leg.slope = is_bent && !is_even ? start_[i] : end;
         leg.bend = is_bent ? leg.acceleration : Vec3(Vec3::Zero());
         track_.begin(i, leg);

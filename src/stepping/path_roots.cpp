@@ -1,12 +1,14 @@
 #include "stepping/path_roots.hpp"
 
 #include "stepping/bracket.hpp"
+#include "stepping/damped_turns.hpp"
 #include "stepping/tolerances.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace carom::stepping {
 
@@ -65,7 +67,7 @@ Times sign_changes(const Cubic& c, std::size_t degree, double end, std::int64_t&
     return times;
 }
 
-/// Times from `now` on at which the gap turns.
+/// Times since `now` at which the gap turns, on straight paths and parabolas.
 Times turns_of_gap(System& system, const PathContacts& contacts, BodyId a, BodyId b, double now)
 {
     const StepPaths& paths = contacts.paths;
@@ -121,21 +123,25 @@ std::optional<double> first_contact(System& system, const PathContacts& contacts
     };
     const auto is_closed = [&](double t) { return gap(t).value <= 0; };
     const auto rate = [&](double t) { return contacts.gap_rate(system, a, b, gap(t).normal, t); };
-    const Times turns = turns_of_gap(system, contacts, a, b, now);
-    double from = now;
-    for (std::size_t k = 0; k <= turns.count; ++k) {
-        const double to = k < turns.count ? now + turns.at[k] : end;
-        ++system.detector.tests;
-        if (to > from && rate(from + (to - from) / 2) < 0) {
-            if (is_closed(from)) return from;
-            if (is_closed(to)) {
-                ++system.root_solves;
-                return bisect(from, to, is_closed, system.detector.tests).before;
+    const auto first_after_turns = [&](std::span<const double> turns) -> std::optional<double> {
+        double from = now;
+        for (std::size_t k = 0; k <= turns.size(); ++k) {
+            const double to = k < turns.size() ? now + turns[k] : end;
+            ++system.detector.tests;
+            if (to > from && rate(from + (to - from) / 2) < 0) {
+                if (is_closed(from)) return from;
+                if (is_closed(to)) {
+                    ++system.root_solves;
+                    return bisect(from, to, is_closed, system.detector.tests).before;
+                }
             }
+            from = to;
         }
-        from = to;
-    }
-    return {};
+        return {};
+    };
+    if (contacts.paths.is_damped()) return first_after_turns(damped_turns(system, contacts, a, b, now));
+    const Times turns = turns_of_gap(system, contacts, a, b, now);
+    return first_after_turns(std::span(turns.at.data(), turns.count));
 }
 
 }  // namespace carom::stepping

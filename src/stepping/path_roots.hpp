@@ -12,9 +12,9 @@ namespace carom::stepping {
 /// it is still open, or where a gap that is closed already begins to shrink. Nothing if there is none.
 ///
 /// The gap is cut where it turns, at roots of its rate: of degree 1 at a plane and between spheres with one
-/// acceleration, of degree 3 between others. A piece on which it shrinks holds one contact at most, which is bisected.
-/// Only contacts that graze by less than rounding may be missed or invented.
-/// \pre both have reached `now`
+/// acceleration, of degree 3 between others; with drag by damped_turns.hpp. A piece on which it shrinks holds one
+/// contact at most, which is bisected. Only contacts that graze by less than rounding may be missed or invented. \pre
+/// both have reached `now`
 std::optional<double> first_contact(System& system, const PathContacts& contacts, BodyId a, BodyId b, double now);
 
 }  // namespace carom::stepping

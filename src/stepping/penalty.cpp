@@ -42,14 +42,15 @@ public:
         const double h = substep.length;
         if (!is_leapfrog_ || !started_) find_forces(system);
         started_ = true;
-        push(system, is_leapfrog_ ? h / 2 : h, substep.begin);
-        system.motion.kick_before(system.bodies, h);
+        const double before = system.motion.resist_before(system.bodies, h);
+        push(system, before, substep.begin);
+        system.motion.fall_before(system.bodies, before);
         system.motion.drift(system.bodies, h);
-        if (is_leapfrog_) {
-            find_forces(system);
-            push(system, h / 2, substep.end);
-        }
-        system.motion.kick_after(system.bodies, h);
+        if (!is_leapfrog_) return;
+        find_forces(system);
+        const double after = system.motion.resist_after(system.bodies, h);
+        push(system, after, substep.end);
+        system.motion.fall_after(system.bodies, after);
     }
 
     void finish(System& system)

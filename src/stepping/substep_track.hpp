@@ -3,13 +3,15 @@
 #pragma once
 
 #include "stepping/bodies.hpp"
+#include "stepping/damped_times.hpp"
 
 #include <vector>
 
 namespace carom::stepping {
 
-/// A piece of a sphere's path, straight or a parabola. Its velocity is that of the method at both ends, linear between
-/// them: with semi-implicit Euler, which moves with the velocity of the end, that is not the slope of the path.
+/// A piece of a sphere's path, straight or a parabola, with drag a damped flight. Its velocity is that of the method at
+/// both ends, and between them as on that path, linear without drag: with semi-implicit Euler, which moves with the
+/// velocity of the end, that is not the slope of the path.
 struct Leg {
     double begin = 0;                  ///< since the begin of the substep [time]
     Vec3 position = Vec3::Zero();      ///< then [length]
@@ -17,13 +19,13 @@ struct Leg {
     Vec3 bend = Vec3::Zero();          ///< of the path [length/time^2]
     Vec3 velocity = Vec3::Zero();      ///< then [length/time]
     Vec3 acceleration = Vec3::Zero();  ///< [length/time^2]
+    double drag = 0;                   ///< of the path and the velocity [1/time]
 
-    Vec3 place_at(double time) const
+    Vec3 place_at(double time) const { return place_after(damped_times(drag, time - begin), position, slope, bend); }
+    Vec3 velocity_at(double time) const
     {
-        const double t = time - begin;
-        return position + t * slope + (t * t / 2) * bend;
+        return velocity_after(damped_times(drag, time - begin), drag, velocity, acceleration);
     }
-    Vec3 velocity_at(double time) const { return velocity + (time - begin) * acceleration; }
 };
 
 class SubstepTrack {

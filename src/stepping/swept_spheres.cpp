@@ -40,9 +40,9 @@ void SweptSpheres::enclose(const System& system, const StepPaths& paths, std::si
     const auto id = static_cast<BodyId>(i);
     const Vec3 start = paths.place(system.bodies, id, now);
     const Vec3 half = (paths.target[i] - start) / 2;
-    // A parabola leaves its chord by at most |a| (t/2)^2 / 2.
+    // A path leaves its chord by at most |a| (t/2)^2 / 2, a the largest of its accelerations.
     const double half_time = (paths.length() - now) / 2;
-    const double sag = std::sqrt(paths.bend(id).squaredNorm()) * (half_time * half_time) / 2;
+    const double sag = std::sqrt(paths.bend_at_begin(system.bodies, id).squaredNorm()) * (half_time * half_time) / 2;
     centre_[i] = start + half;
     radius_[i] = (system.bodies.radius[i] + std::sqrt(half.squaredNorm()) + sag) * (1 + cell_slack);
 }

@@ -18,7 +18,7 @@ namespace carom::stepping {
 struct System {
     System(const Scene& scene, const StepOptions& options, const Observer& observer, bool merge_impacts)
         : bodies(make_bodies(scene)),
-          motion(scene.gravity, options.integrator),
+          motion(scene.gravity, scene.drag, options.integrator),
           laws(scene),
           detector(scene),
           arranger(options.order, options.seed),

@@ -22,6 +22,16 @@ inline constexpr std::int64_t spheres_between_looks = 4096;
 /// steps of settle_1000 take 0.45 s with these lists, 0.72 s without.
 inline constexpr double list_reach = 2;
 
+/// Product k |t| [1] beyond which (t - s) / k is taken as it stands: it loses less than two bits there, and up to it
+/// the series of the exponential converges.
+inline constexpr double large_damping = 1;
+/// Drag times substep [1] at which semi-implicit Euler is no longer stable: it takes the part h k of a velocity, and 2
+/// turns it round.
+inline constexpr double unstable_damping = 2;
+
+/// Halvings [1] of a substep in search of turns of a damped gap: two turns nearer than 2^-40 of it are a graze.
+inline constexpr int most_turn_halvings = 40;
+
 /// Change of a velocity in a sweep [largest velocity that was lacking] that ends a contact solver: some hundred units
 /// in the last place, which sums of impulses leave.
 inline constexpr double solved_contacts = 1e-13;

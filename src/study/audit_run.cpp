@@ -11,6 +11,7 @@ namespace carom::study {
 CaseRunner::CaseRunner(const Scene& scene, const Truth& truth) : scene_(scene), truth_(truth)
 {
     case_.gravity = scene.gravity;
+    case_.drag = scene.drag;
     case_.origin = scene.origin;
     case_.seed = scene.seed;
     case_.materials = scene.materials;

@@ -11,11 +11,11 @@ namespace carom::study {
 
 namespace {
 
-TruthState state_on(const TruthFlight& flight, double time)
+TruthState state_on(const TruthFlight& flight, double drag, double time)
 {
     const double t = time - flight.start;
-    return {flight.place + t * (flight.velocity + (t / 2) * flight.acceleration),
-            flight.velocity + t * flight.acceleration};
+    return {place_after(flight.place, flight.velocity, flight.acceleration, drag, t),
+            velocity_after(flight.velocity, flight.acceleration, drag, t)};
 }
 
 bool starts_after(double time, const TruthFlight& flight)
@@ -45,7 +45,11 @@ public:
         truth_.impact_times.resize(scene.spheres.size());
     }
 
-    void frame(const RunFrame& frame) { frame_ = frame; }
+    void frame(const RunFrame& frame)
+    {
+        frame_ = frame;
+        truth_.drag = frame.drag;
+    }
 
     void flight(const FlightRecord& record)
     {
@@ -153,13 +157,13 @@ void TruthRecorder::finish(double until)
 TruthState Truth::state(BodyId body, double time) const
 {
     const Flights& own = flights[static_cast<std::size_t>(body)];
-    return state_on(one_before(own, std::upper_bound(own.begin(), own.end(), time, starts_after)), time);
+    return state_on(one_before(own, std::upper_bound(own.begin(), own.end(), time, starts_after)), drag, time);
 }
 
 TruthState Truth::state_before(BodyId body, double time) const
 {
     const Flights& own = flights[static_cast<std::size_t>(body)];
-    return state_on(one_before(own, std::lower_bound(own.begin(), own.end(), time, starts_before)), time);
+    return state_on(one_before(own, std::lower_bound(own.begin(), own.end(), time, starts_before)), drag, time);
 }
 
 bool Truth::is_quiet(BodyId body, double begin, double end) const

@@ -10,7 +10,7 @@
 
 namespace carom::study {
 
-/// A parabola of one body, from `start` until its next one.
+/// A parabola of one body, with drag a damped flight, from `start` until its next one.
 struct TruthFlight {
     double start = 0;  ///< since the start of the run [time]
     Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), acceleration = Vec3::Zero();  ///< at `start`
@@ -32,6 +32,7 @@ struct TruthState {
 class Truth {
 public:
     double until = 0;                     ///< the run is known up to here [time]
+    double drag = 0;                      ///< k >= 0 of all flights [1/time]
     Status status = Status::reached_end;  ///< of the run; so too where only memory ended it
     std::string message;                  ///< of the run, for people
     bool stopped = false;                 ///< on request, at `until`

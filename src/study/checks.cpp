@@ -189,8 +189,8 @@ private:
     void energy(const Check& check, double change)
     {
         judge(check, change, study().max_kinetic_energy);
-        result_.message =
-            "changed by " + to_text(change, 3) + (conserves_energy(scene_) ? "" : " (some contacts take energy)");
+        const char* why = scene_.drag > 0 ? " (drag takes energy)" : " (some contacts take energy)";
+        result_.message = "changed by " + to_text(change, 3) + (conserves_energy(scene_) ? "" : why);
     }
 
     void momentum(const Check& check)

@@ -85,7 +85,7 @@ struct CompareColumn {
 };
 
 /// In the order of compare.csv. Names are stable: files and pages of others read them.
-inline constexpr std::array<CompareColumn, 36> compare_columns{{
+inline constexpr std::array<CompareColumn, 39> compare_columns{{
     {"method", "method", ColumnUnit::none, "How the scene was simulated. \"event\" is exact in time and takes no step.",
      cell_of<&CompareRow::method>},
     {"dt", "dt", ColumnUnit::time, "Length of a time step; none for the event-driven method.",
@@ -102,6 +102,12 @@ inline constexpr std::array<CompareColumn, 36> compare_columns{{
      cell_of<&CompareRow::integrator>},
     {"impact", "impact", ColumnUnit::none, "Operator of the event method for several contacts at once.",
      cell_of<&CompareRow::impact>},
+    {"stiffness", "", ColumnUnit::none,
+     "Stiffness of the springs of \"penalty\", mass/time^2; none where each contact has its own.",
+     cell_of<&CompareRow::stiffness>},
+    {"hertz", "", ColumnUnit::none, "Frequency of the springs of \"soft\", 1/time.", cell_of<&CompareRow::hertz>},
+    {"damping_ratio", "", ColumnUnit::none, "Damping ratio of the springs of \"soft\".",
+     cell_of<&CompareRow::damping_ratio>},
     {"cpu_seconds", "CPU", ColumnUnit::seconds,
      "Processor time of one run up to the end of what is compared, giving its samples: the median of the repeats.",
      cell_of<&CompareRow::cpu_seconds>},

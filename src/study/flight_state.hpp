@@ -2,6 +2,8 @@
 /// Places and accelerations of flights as a run shows them, in plain doubles.
 #pragma once
 
+#include "stepping/damped_times.hpp"
+
 #include <carom/flight.hpp>
 
 namespace carom::study {
@@ -30,6 +32,19 @@ inline Vec3 acceleration_of(const RunFrame& frame, const FlightRecord& flight)
 {
     return flight.acceleration == own_acceleration ? vector_of(flight.own)
                                                    : frame.accelerations[static_cast<std::size_t>(flight.acceleration)];
+}
+
+/// The place of a flight, a time after its begin: on a parabola, with drag k on a damped flight [length].
+inline Vec3 place_after(const Vec3& place, const Vec3& velocity, const Vec3& acceleration, double drag, double time)
+{
+    if (drag == 0) return place + time * (velocity + (time / 2) * acceleration);
+    return stepping::place_after(stepping::damped_times(drag, time), place, velocity, acceleration);
+}
+
+/// Its velocity then [length/time].
+inline Vec3 velocity_after(const Vec3& velocity, const Vec3& acceleration, double drag, double time)
+{
+    return stepping::velocity_after(stepping::damped_times(drag, time), drag, velocity, acceleration);
 }
 
 }  // namespace carom::study

@@ -35,7 +35,8 @@ Vec3 LiftWatch::place_at(const FlightRecord& flight, const EpochTime& time) cons
 {
     const double t = static_cast<double>(time.epoch - flight.start.epoch) * frame_.epoch_length +
                      (time.offset - flight.start.offset);
-    return place_of(frame_, flight) + t * (vector_of(flight.velocity) + (t / 2) * acceleration_of(frame_, flight));
+    return place_after(place_of(frame_, flight), vector_of(flight.velocity), acceleration_of(frame_, flight),
+                       frame_.drag, t);
 }
 
 double LiftWatch::gap_at_end(const Watched& watched, const EpochTime& end) const

@@ -55,11 +55,23 @@ OptionsRead options_read(const Method& method)
         method);
 }
 
+/// The method of that name with the options that only it has.
+Method method_of(const CompareOptions& options, const std::string& name, const StepOptions& step)
+{
+    Method method = make_method(name, step);
+    if (auto* penalty = std::get_if<Penalty>(&method)) penalty->stiffness = options.stiffness;
+    if (auto* soft = std::get_if<Soft>(&method)) {
+        soft->hertz = options.hertz;
+        soft->damping_ratio = options.damping_ratio;
+    }
+    return method;
+}
+
 /// Every combination of the lists for one method; what it does not read is as built in.
 void add_steps(std::vector<RowPlan>& rows, const Scene& scene, const CompareOptions& options, const std::string& method)
 {
     const OptionsRead reads = options_read(make_method(method, options.step));
-    const bool curves = scene.gravity != Vec3::Zero();  // without gravity all integrators fly straight
+    const bool curves = scene.gravity != Vec3::Zero() || scene.drag > 0;  // else all integrators fly alike
     for (const double dt : options.dt)
         for (const Integrator integrator : options.integrators)
             for (const ContactOrder order : options.orders)
@@ -71,7 +83,7 @@ void add_steps(std::vector<RowPlan>& rows, const Scene& scene, const CompareOpti
                         step.passes = reads.passes ? passes : 1;
                         step.order = reads.knows(order) ? order : ContactOrder::index;
                         step.integrator = curves ? integrator : Integrator::euler;
-                        add(rows, {make_method(method, step), std::nullopt});
+                        add(rows, {method_of(options, method, step), std::nullopt});
                     }
 }
 
@@ -120,6 +132,11 @@ void describe(const RowPlan& plan, CompareRow& row)
     if (reads.passes) row.passes = step->passes;
     if (reads.order) row.order = step->order;
     row.integrator = step->integrator;
+    if (const auto* penalty = std::get_if<Penalty>(&plan.method)) row.stiffness = penalty->stiffness;
+    if (const auto* soft = std::get_if<Soft>(&plan.method)) {
+        row.hertz = soft->hertz;
+        row.damping_ratio = soft->damping_ratio;
+    }
 }
 
 }  // namespace carom::study

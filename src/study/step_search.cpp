@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace carom::study {
 
@@ -17,9 +18,13 @@ namespace {
 
 RowPlan with_step(const RowPlan& plan, double dt)
 {
-    StepOptions step = *step_options(plan.method);
-    step.dt = dt;
-    return {make_method(name(plan.method), step), plan.impact};
+    RowPlan other = plan;
+    std::visit(
+        [dt](auto& method) {
+            if constexpr (std::is_base_of_v<StepOptions, std::decay_t<decltype(method)>>) method.dt = dt;
+        },
+        other.method);
+    return other;
 }
 
 /// Runs of one family, and what they said.

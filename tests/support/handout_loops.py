@@ -17,7 +17,7 @@ import json
 import math
 import sys
 
-KEYS = {"format", "gravity", "materials", "contacts", "spheres", "planes", "box"}
+KEYS = {"format", "gravity", "drag", "materials", "contacts", "spheres", "planes", "box"}
 # Keys that say nothing to a loop: words, ends and options of commands, and the impacts and rest of the event-driven method.
 SILENT_KEYS = {"$schema", "name", "description", "units", "end_time", "seed", "start_time", "checks", "stress", "run", "compare", "tunnel", "view",
                "impact", "rest", "guard"}
@@ -196,6 +196,7 @@ class Bodies:
         for given in scene["spheres"]:
             known(given, SPHERE_KEYS)
         self.gravity = [number(x) for x in scene.get("gravity", [0, 0, 0])]
+        self.drag = number(scene.get("drag", 0))
         self.spheres = [Sphere(given, number) for given in scene["spheres"]]
         self.movable = [s for s in self.spheres if s.movable]
         walls, laws = walls_of(scene, number), Laws(scene, number)
@@ -208,7 +209,7 @@ class Bodies:
 
     def accelerate(self, h):
         for s in self.movable:
-            s.v = plus(s.v, h, self.gravity)
+            s.v = plus(s.v, h, plus(self.gravity, -self.drag, s.v))  # the field's friction is a force -k m v
 
     def move(self, h):
         for s in self.movable:

@@ -19,6 +19,7 @@ BOUNCE = "    for contact in closed:\n        contact.respond()\n"
 CANCEL = "    for contact in closed:\n        contact.cancel()\n"
 SPHERES_ALPHA = '.get("tangential", 1))'
 WALL_ALPHA = "self.alpha * t -"
+FIELD = "s.v = plus(s.v, h, plus(self.gravity, -self.drag, s.v))"
 PUSH_BACK = "self.push(self.reduced_mass * closing, self.normal())"
 
 
@@ -58,6 +59,10 @@ MUTANTS = {
     "nothing_cancelled": (("velocity",), CANCEL, ""),
     "cancelled_in_reverse": (("velocity",), CANCEL, CANCEL.replace("closed", "closed[::-1]")),
     "cancelled_at_one": (("velocity",), PUSH_BACK, "self.one.v = plus(self.one.v, closing, self.normal())"),
+    "drag_ignored": (BOTH, FIELD, "s.v = plus(s.v, h, self.gravity)"),
+    "drag_after_gravity": (BOTH, FIELD, "s.v = plus(s.v, h, self.gravity); s.v = plus(s.v, -h * self.drag, s.v)"),
+    "drag_implicit": (BOTH, FIELD, "s.v = [x / (1 + h * self.drag) for x in plus(s.v, h, self.gravity)]"),
+    "drag_by_mass": (BOTH, FIELD, FIELD.replace("-self.drag", "-self.drag * s.inverse_mass")),
     "separating_respond": (BOTH, RESPOND, RESPOND.replace("closing > 0", "True")),
     "larger_of_two": (BOTH, "min(", "max("),
     "overrides_ignored": (BOTH, "self.overrides[frozenset(given[\"between\"])] = given", "pass"),

@@ -153,7 +153,7 @@ function compare(scene) {
     const divergence = worst.findIndex((d) => d > 0.01 * Math.min(...scene.spheres.map((s) => s.radius)));
     rows.push({
       method: row.method, dt: row.dt, substeps: row.dt === null ? null : 1, passes: row.dt === null ? null : 1, label: row.label,
-      order: null, integrator: null, impact: null,
+      order: null, integrator: null, impact: null, stiffness: null, hertz: null, damping_ratio: null,
       cpu_seconds: row.cpu, cpu_min: row.cpu * 0.94, cpu_max: row.cpu * 1.13,
       position_rms: root(mean(distance.flat().map((d) => d * d))), position_max: Math.max(...worst),
       position_final_rms: root(mean(distance.at(-1).map((d) => d * d))), position_final_max: worst.at(-1),

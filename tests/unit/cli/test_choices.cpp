@@ -162,6 +162,15 @@ TEST_CASE("options of one method set it, from the command line and from the scen
     CHECK(notes[1] == "--damping-ratio has no effect: it is for --method soft");
     args.given["hertz"] = "0";
     CHECK_THROWS_AS(run_settings(args, {}, scene_with({}), "ball.json"), UsageError);
+
+    CompareArguments compare;
+    scene.compare = {{"stiffness", 2e3}, {"hertz", 40.0}};
+    compare.given = {{"hertz", "60"}, {"damping_ratio", "1/2"}};
+    const CompareOptions options = compare_settings(compare, {}, scene, "ball.json").compare;
+    CHECK(options.stiffness == 2e3);
+    CHECK(options.hertz == 60);
+    CHECK(options.damping_ratio == 0.5);
+    CHECK_FALSE(compare_settings(compare, {}, scene_with({}), "ball.json").compare.stiffness.has_value());
 }
 
 TEST_CASE("a wrong value is a usage error if typed and a scene error if written in the scene", "[choices]")

@@ -1,6 +1,6 @@
 #include "reference_scenes.hpp"
 
-#include "reference/roots.hpp"
+#include "reference/damped_contact.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -121,8 +121,7 @@ TEST_CASE("the first contact under relative acceleration is the one that samplin
         constexpr double sum = 1, end = 4;
         if (r.norm() < 1.01) continue;
         std::int64_t roots = 0;
-        const auto t =
-            reference::accelerated_contact<Real>(Vector(r), Vector(v), Vector(a), Real(sum), Real(end), roots);
+        const auto t = reference::DistanceGap<Real>(Vector(r), Vector(v), Vector(a), 0, sum).first_fall(end, roots);
         constexpr int n = 20000;
         double sampled = -1, least = 1;
         for (int i = 0; i <= n && sampled < 0; ++i) {
@@ -150,7 +149,7 @@ TEST_CASE("a contact that just opened is not met again at once, one that is pres
 {
     std::int64_t roots = 0;
     const auto contact = [&](const Vector& v, const Vector& a) {
-        return reference::accelerated_contact<Real>(Vector(0, 0, 2), v, a, Real(2), Real(10), roots);
+        return reference::DistanceGap<Real>(Vector(0, 0, 2), v, a, 0, 2).first_fall(10, roots);
     };
     const Vector down(0, 0, -8);
     CHECK(*contact(Vector(0, 0, 4), down) == 1);

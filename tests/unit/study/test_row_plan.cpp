@@ -45,6 +45,30 @@ TEST_CASE("a method is run once for values of options that it does not read", "[
     }
 }
 
+TEST_CASE("springs are those asked for, in the method and in what its row says of it", "[compare]")
+{
+    CompareOptions options;
+    options.methods = {"penalty", "soft", "pbd"};
+    options.dt = {0.01};
+    options.hertz = 60;
+    options.damping_ratio = 0.5;
+    const auto springs_of = [&](const RowPlan& plan) {
+        CompareRow row;
+        describe(plan, row);
+        return row;
+    };
+    CHECK_FALSE(springs_of(rows_to_run(ball(9.81), options)[0]).stiffness);
+    options.stiffness = 2e3;
+    const auto rows = rows_to_run(ball(9.81), options);
+    CHECK(std::get<Penalty>(rows[0].method).stiffness == 2e3);
+    CHECK(springs_of(rows[0]).stiffness == 2e3);
+    CHECK(std::get<Soft>(rows[1].method).hertz == 60);
+    CHECK(springs_of(rows[1]).hertz == 60);
+    CHECK(springs_of(rows[1]).damping_ratio == 0.5);
+    CHECK_FALSE(springs_of(rows[2]).stiffness);
+    CHECK_FALSE(springs_of(rows[2]).hertz);
+}
+
 TEST_CASE("operators are rows of the event method alone", "[compare]")
 {
     CompareOptions options;
