@@ -47,8 +47,11 @@ struct Deviation {
 Deviation position_deviation(std::span<const BodyState> a, std::span<const BodyState> b);  ///< [length]
 Deviation velocity_deviation(std::span<const BodyState> a, std::span<const BodyState> b);  ///< [length/time]
 
-/// Whether there is no drag and every contact that can occur has restitution, tangential factor and attenuation 1, so
-/// that energy is kept. A contact needs a sphere that can move.
+/// Whether every contact that can occur has restitution, tangential factor and attenuation 1, so that contacts keep
+/// energy. A contact needs a sphere that can move.
+bool contacts_conserve_energy(const Scene& scene);
+
+/// Whether contacts keep energy and there is no drag to take it.
 bool conserves_energy(const Scene& scene);
 
 /// Smallest radius; 0 for a scene without spheres [length].

@@ -46,8 +46,12 @@ struct RunStudy {
     std::string method;
     Outcome outcome;
     double initial_energy = 0, final_energy = 0;  ///< [mass length^2/time^2]
-    std::optional<double>
-        max_relative_drift;         ///< max |E-E0| / max kinetic energy over samples; none where energy is not kept
+    /// Energy that drag took, from closed forms of the flights, not from energies; none for discrete methods with drag
+    /// [mass length^2/time^2].
+    std::optional<double> drag_energy;
+    /// max |E + D - E0| / max kinetic energy over samples, D what drag took until then; none where contacts take
+    /// energy, or where D is not known.
+    std::optional<double> max_relative_drift;
     double max_energy_change = 0;   ///< max |E-E0| over samples [mass length^2/time^2]
     double max_kinetic_energy = 0;  ///< over samples [mass length^2/time^2]
     Vec3 initial_momentum = Vec3::Zero(), final_momentum = Vec3::Zero();  ///< [mass length/time]

@@ -52,8 +52,8 @@ struct RecordedRun {
     /// (ImpactOptions::tie), in [0, 0.01].
     double tie = 0;
     std::vector<RecordedStart> starts;  ///< by sphere; gone after FlightSource::forget_starts
-    /// The run claims flights in double-double: gap >= min(0, initial gap) exactly. Otherwise, and with drag, gap >=
-    /// -16 eps max(r1 + r2, distance flown) is what it promises.
+    /// The run claims flights in double-double: gap >= min(0, initial gap) exactly, which none with drag can claim.
+    /// Otherwise gap >= -16 eps max(r1 + r2, distance flown) is what it promises.
     bool certified = false;
     std::optional<RecordedEnd> end;  ///< none: the recording was cut off
 };

@@ -84,13 +84,14 @@ void add_final(const Scene& scene, const Outcome& outcome, Lines& lines)
 /// Contacts and flights keep energy or take it; what makes some is wrong.
 std::string drift_text(const RunStudy& run)
 {
-    const double gain = run.final_energy - run.initial_energy;
+    const double gain = run.final_energy + run.drag_energy.value_or(0) - run.initial_energy;
     if (!std::isfinite(gain)) return "BLEW UP: no longer a finite number";
     if (gain > energy_rounding * run.max_kinetic_energy)
         return fmt::format("GREW by {:.4g} ({})", gain,
                            run.lifts.empty() ? "no contact gives energy: this run is wrong"
                                              : "spheres were lifted out of planes in which they began");
-    return run.max_relative_drift ? figure(run.max_relative_drift) : "- (contacts take energy)";
+    if (run.max_relative_drift) return figure(run.max_relative_drift);
+    return run.drag_energy ? "- (contacts take energy)" : "- (drag takes energy)";
 }
 
 std::string escaped_text(const Scene& scene, const RunStudy& run)
@@ -183,6 +184,7 @@ std::string run_table(const Scene& scene, const RunStudy& run, const io::Command
     add_thresholds(scene, outcome, lines);
     add_rest_times(scene, outcome, lines);
     lines.push_back({"energy", fmt::format("{:.10g} -> {:.10g}", run.initial_energy, run.final_energy)});
+    if (scene.drag > 0 && run.drag_energy) lines.push_back({"taken by drag", fmt::format("{:.10g}", *run.drag_energy)});
     lines.push_back({"energy drift", drift_text(run)});
     lines.push_back({"max penetration", study::length_text(run.max_penetration, units.length)});
     if (run.escaped > 0) lines.push_back({"escaped", escaped_text(scene, run)});

@@ -166,6 +166,7 @@ std::string run_json(const Scene& scene, const Method& method, const RunStudy& r
     json["counts"] = counts_json(outcome.counts);
     json["energy"] = {{"initial", run.initial_energy},
                       {"final", run.final_energy},
+                      {"drag", optional_json(run.drag_energy)},
                       {"max_relative_drift", optional_json(run.max_relative_drift)}};
     if (event != nullptr) {
         json["energy"]["taken"] = energy_taken_json(outcome.energy_taken);

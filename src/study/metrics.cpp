@@ -109,9 +109,8 @@ Deviation velocity_deviation(std::span<const BodyState> a, std::span<const BodyS
     return deviation(a.size(), [&](std::size_t i) -> Vec3 { return a[i].velocity - b[i].velocity; });
 }
 
-bool conserves_energy(const Scene& scene)
+bool contacts_conserve_energy(const Scene& scene)
 {
-    if (scene.drag > 0) return false;
     struct Presence {
         std::size_t movable = 0, fixed = 0;  ///< spheres of a material
     };
@@ -137,6 +136,11 @@ bool conserves_energy(const Scene& scene)
             if (can_meet(a, b) && !keeps(sphere_contact_law(scene, a, b))) return false;
     }
     return true;
+}
+
+bool conserves_energy(const Scene& scene)
+{
+    return scene.drag == 0 && contacts_conserve_energy(scene);
 }
 
 double smallest_radius(const Scene& scene)

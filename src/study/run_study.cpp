@@ -2,6 +2,7 @@
 
 #include "study/clock.hpp"
 #include "study/deepest_overlap.hpp"
+#include "study/drag_work.hpp"
 #include "study/largest.hpp"
 #include "study/lift_watch.hpp"
 #include "study/tolerances.hpp"
@@ -29,9 +30,13 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     const bool dear = scene.spheres.size() > study::few_to_look_at;
     study::DeepestOverlap overlap(scene);
     study::Stopwatch watch;
-    double largest_drift = 0, largest_kinetic = kinetic_energy(scene, start), deepest = 0;
-    const auto look = [&](std::span<const BodyState> states) {
-        study::keep_largest(largest_drift, std::abs(energy_difference(scene, states, start)));
+    double largest_change = 0, largest_drift = 0, largest_kinetic = kinetic_energy(scene, start), deepest = 0;
+    study::DragWork drag_work(scene);
+    const bool is_damped = scene.drag > 0, knows_drag = event_driven || !is_damped;
+    const auto look = [&](std::span<const BodyState> states, double time) {
+        const double change = energy_difference(scene, states, start);
+        study::keep_largest(largest_change, std::abs(change));
+        study::keep_largest(largest_drift, std::abs(is_damped ? change + drag_work.taken(time) : change));
         study::keep_largest(largest_kinetic, kinetic_energy(scene, states));
         if (event_driven) deepest = std::max(deepest, overlap.of(states));
     };
@@ -46,20 +51,22 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     observer.on_frame = options.on_frame;
     observer.on_flight = options.on_flight;
     study::LiftWatch lift_watch(scene);
-    if (event_driven && lift_watch.has_work()) {
+    if (event_driven && (lift_watch.has_work() || is_damped)) {
         observer.on_frame = [&](const RunFrame& frame) {
             lift_watch.on_frame(frame);
+            drag_work.on_frame(frame);
             if (options.on_frame) options.on_frame(frame);
         };
         observer.on_flight = [&](const FlightRecord& flight) {
             lift_watch.on_flight(flight);
+            if (is_damped) drag_work.on_flight(flight);
             if (options.on_flight) options.on_flight(flight);
         };
     }
     observer.on_progress = options.on_progress;
     observer.on_sample = [&](std::size_t, double time, std::span<const BodyState> states) {
         if (dear) watch.pause();
-        look(states);
+        look(states, time);
         if (options.on_state) options.on_state(time, states);
         if (dear) watch.resume();
     };
@@ -69,12 +76,14 @@ RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptio
     result.wall_seconds = watch.wall();
 
     const Outcome& outcome = result.outcome;
-    look(outcome.final);
+    look(outcome.final, outcome.time);
     result.initial_energy = total_energy(scene, start);
     result.final_energy = total_energy(scene, outcome.final);
     // Without motion there is no scale for a drift, and no drift either.
-    if (conserves_energy(scene)) result.max_relative_drift = largest_kinetic == 0 ? 0 : largest_drift / largest_kinetic;
-    result.max_energy_change = largest_drift;
+    if (knows_drag && contacts_conserve_energy(scene))
+        result.max_relative_drift = largest_kinetic == 0 ? 0 : largest_drift / largest_kinetic;
+    if (knows_drag) result.drag_energy = is_damped ? drag_work.taken(outcome.time) : 0;
+    result.max_energy_change = largest_change;
     result.max_kinetic_energy = largest_kinetic;
     result.initial_momentum = momentum(scene, start);
     result.final_momentum = momentum(scene, outcome.final);

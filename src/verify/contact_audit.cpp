@@ -81,7 +81,7 @@ ContactAudit::Geometry ContactAudit::geometry(const Event& event)
 {
     const Before& a = *bodies_->find(event.a);
     Geometry out;
-    out.travel = between<double>(a.path.start, bodies_->now()) * a.speed_size.norm();
+    out.travel = flown(a);
     out.size = data_.radius(event.a);
     if (event.b >= data_.spheres()) {
         const Wall& wall = data_.wall(event.b - data_.spheres());
@@ -93,7 +93,7 @@ ContactAudit::Geometry ContactAudit::geometry(const Event& event)
         return out;
     }
     const Before& b = *bodies_->find(event.b);
-    out.travel = std::max(out.travel, between<double>(b.path.start, bodies_->now()) * b.speed_size.norm());
+    out.travel = std::max(out.travel, flown(b));
     Vector<DoubleDouble> r{};
     DoubleDouble* const parts[] = {&r.x, &r.y, &r.z};
     for (int k = 0; k < 3; ++k)
@@ -105,6 +105,14 @@ ContactAudit::Geometry ContactAudit::geometry(const Event& event)
     out.normal = high(r) / distance.high;
     out.shake = (2 + out.travel) / out.size;
     return out;
+}
+
+/// Way of the flight that ends, at most [cells].
+double ContactAudit::flown(const Before& b) const
+{
+    const double time = between<double>(b.path.start, bodies_->now());
+    if (!(b.path.drag > 0)) return time * b.speed_size.norm();
+    return longest_way(b.path, data_.acceleration(b.path), time).norm();
 }
 
 double ContactAudit::smaller_radius(const Event& event) const
@@ -204,9 +212,6 @@ double ContactAudit::check_law(const Event& event, const Vec3& normal, const Gro
     double shake = 1;
     if (event.b < data_.spheres()) {
         const Before &a = *bodies_->find(event.a), &b = *bodies_->find(event.b);
-        const auto flown = [&](const Before& x) {
-            return between<double>(x.path.start, bodies_->now()) * x.speed_size.norm();
-        };
         shake += (2 + std::max(flown(a), flown(b))) / (data_.radius(event.a) + data_.radius(event.b));
     }
     constexpr double margin = 1 + 1e-9;

@@ -25,6 +25,7 @@ private:
         double shake = 0;                      ///< error of the normal, in roundings
     };
     Geometry geometry(const Event& event);
+    double flown(const Before& b) const;
     double smaller_radius(const Event& event) const;  ///< [cells]
     void check_event(const Event& event);
     void check_impulse(const Event& event, const Geometry& at, const Group& group);

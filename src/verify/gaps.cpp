@@ -48,7 +48,7 @@ double Gaps::flown(BodyId body, const Ball& ball, const EpochTime& to) const
 {
     const double t = between<double>(ball.path.start, to);
     return std::max(static_cast<double>(flown_before_[static_cast<std::size_t>(body)]),
-                    t * (ball.path.velocity.norm() + t * ball.acceleration.norm()));
+                    lasting(ball.path, t) * (ball.path.velocity.norm() + t * ball.acceleration.norm()));
 }
 
 void Gaps::record(const GapFound& found, const EpochTime& from, const EpochTime& to, BodyId a, BodyId b)
@@ -114,7 +114,7 @@ void Gaps::pair(BodyId a, BodyId b, const EpochTime& from, const EpochTime& to, 
     const bool is_swept = ball_a.is_swept || ball_b.is_swept;
     // Double-double is for free flight, and for what it has in common with a partner.
     const bool exact =
-        data_.keeps_sign() && flies(ball_a.path) && flies(ball_b.path) && ball_a.acceleration == ball_b.acceleration;
+        data_.run.certified && flies(ball_a.path) && flies(ball_b.path) && ball_a.acceleration == ball_b.acceleration;
     GapFound found = examine(segment, exact ? 0 : allowed);
     if (is_swept) {
         // The ball that a series stays in is larger than the sphere: that it touches shows nothing.
@@ -145,7 +145,7 @@ void Gaps::plane(BodyId body, int p, const EpochTime& to)
             segment.initial = &found->second.first;
     if (is_clear(segment, smallest_)) return;
     const double allowed = promised * std::max(ball.radius, flown(body, ball, to));
-    GapFound found = examine(segment, data_.keeps_sign() && flies(ball.path) ? 0 : allowed);
+    GapFound found = examine(segment, data_.run.certified && flies(ball.path) ? 0 : allowed);
     if (ball.is_swept) {
         found.measured = false;
         if (found.grade == Grade::violated) found.grade = Grade::not_certified;
@@ -184,7 +184,7 @@ void Gaps::count(BodyId body, const EpochTime& now)
     const Path path = flights_.path(body);
     const double epochs = between<double>(path.start, now), seconds = epochs * data_.units.time;
     flown_before_[static_cast<std::size_t>(body)] = static_cast<float>(
-        epochs * (path.velocity.norm() + epochs * data_.acceleration(path).norm()) * float_rounded_up);
+        lasting(path, epochs) * (path.velocity.norm() + epochs * data_.acceleration(path).norm()) * float_rounded_up);
     std::uint8_t& past = past_[static_cast<std::size_t>(body)];
     if (path.mode == Mode::numeric)
         past = left_by_numeric;

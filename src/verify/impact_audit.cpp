@@ -61,6 +61,7 @@ void ImpactAudit::change(BodyId body)
 void ImpactAudit::check_place(const Before& b, const Path& after)
 {
     const double span = between<double>(b.path.start, bodies_.now()) + 1;
+    const Vec3 way = longest_way(b.path, data_.acceleration(b.path), span);
     const bool is_numeric = b.path.mode == Mode::numeric;
     // Who leaves free flight, or meets several at once, goes on from a place in doubles, also in certified runs.
     const double* const low = after.local_low;
@@ -69,7 +70,7 @@ void ImpactAudit::check_place(const Before& b, const Path& after)
         const auto cells = static_cast<double>(after.cell[k] - b.path.cell[k]);
         const DoubleDouble x = DoubleDouble(cells) + joined<DoubleDouble>(after.local[k], after.local_low[k]);
         const double jump = std::abs((x - component(b.place, k)).high);
-        double allowed = b.speed_size[k] > 0 ? (is_plain ? 16 * u : tolerance()) * (2 + span * b.speed_size[k]) : 0;
+        double allowed = b.speed_size[k] > 0 ? (is_plain ? 16 * u : tolerance()) * (2 + way[k]) : 0;
         if (b.series) {
             const SeriesRecord& s = *b.series;
             const double rise = s.normal_speed * (s.normal_speed / s.gravity);

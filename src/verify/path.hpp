@@ -7,6 +7,7 @@
 
 #include <carom/flight.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -57,6 +58,17 @@ inline Vec3 largest_bend(const Path& p, const Vec3& a, const Vec3& speed)
     return a.cwiseAbs() + p.drag * speed.cwiseAbs();
 }
 
+/// Part of a time for which a speed lasts: with drag 1/k at most [epochs].
+inline double lasting(const Path& p, double time)
+{
+    return p.drag > 0 ? std::min(time, 1 / p.drag) : time;
+}
+/// Way of a flight in a time, at most, a coordinate each [cells].
+inline Vec3 longest_way(const Path& p, const Vec3& a, double time)
+{
+    return lasting(p, time) * (p.velocity.cwiseAbs() + time * a.cwiseAbs());
+}
+
 /// to - from [epochs].
 template <class N>
 N between(const EpochTime& from, const EpochTime& to)
@@ -82,6 +94,7 @@ Moving<N> moving(const Path& p, const Vec3& a, const std::int64_t (&base)[3], co
     const N tau = moved ? between<N>(p.start, at) : N(0.0);
     // A unit more: what the offsets of the two times may have lost.
     const double span = moved ? std::abs(between<double>(p.start, at)) + 1 : 0;
+    const Vec3 way = longest_way(p, a, span);
     Damped<N> effect{};
     if constexpr (rounding < N >> 0)
         if (moved && p.drag > 0) effect = damped<N>(p.drag, between<DoubleDouble>(p.start, at));
@@ -98,8 +111,8 @@ Moving<N> moving(const Path& p, const Vec3& a, const std::int64_t (&base)[3], co
             *speed[k] = v;
             continue;
         }
-        m.speed_size[k] += std::abs(a[k]) * span;
-        m.place_size[k] += span * m.speed_size[k];
+        m.speed_size[k] += std::abs(a[k]) * lasting(p, span);
+        m.place_size[k] += way[k];
         if (p.drag > 0) {
             *place[k] = x + (effect.way * v + effect.fall * N(a[k]));
             *speed[k] = effect.decay * v + effect.way * N(a[k]);

@@ -25,10 +25,6 @@ struct RunData {
     /// The rest policy micro: bounces below closing_speed are elastic, and nothing else.
     bool is_micro() const { return window == 0 && closing_speed > 0; }
 
-    /// Certified runs keep gap >= min(0, initial gap). With drag they have double-double flights, too, but no sign of
-    /// an exponential is known exactly: they keep what runs in doubles do.
-    bool keeps_sign() const { return run.certified && drag == 0; }
-
     BodyId spheres() const { return static_cast<BodyId>(run.spheres.size()); }
     BodyId planes() const { return static_cast<BodyId>(walls.size()); }
     double radius(BodyId body) const { return sphere(body).radius / units.length; }  ///< [cells]

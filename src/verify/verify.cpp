@@ -82,6 +82,9 @@ private:
     void check_frame()
     {
         if (!(data_.drag >= 0 && std::isfinite(data_.drag))) findings_.violation("the drag is out of range", {});
+        // A small drag would be a way out of the promise of gaps >= 0.
+        if (data_.run.certified && data_.drag != 0)
+            findings_.violation("certified flights have drag, of which no sign is exact", {});
         const auto& table = data_.accelerations;
         if (table.empty() || !table.front().isZero(0))
             findings_.violation("the table of accelerations has no zero", {});

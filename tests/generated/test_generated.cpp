@@ -51,6 +51,21 @@ TEST_CASE("scenes whose recordings were refused once hold")
     }
 }
 
+TEST_CASE("recordings of generated scenes hold under drag, too")
+{
+    for (std::uint64_t index = 0; index < 16; ++index) {
+        GeneratedScene drawn = generate_scene(7, index);
+        Random random(index);
+        drawn.scene.drag = random.log_uniform(1e-3, 10);
+        RunOptions options;
+        options.max_events = 20'000;
+        const Certificate c = examined(recorded(drawn.scene, options));
+        INFO(drawn.scene.name << ", drag " << drawn.scene.drag << ": " << first_violation(c));
+        CHECK(c.holds());
+        CHECK(c.body_seconds.not_certified == 0);
+    }
+}
+
 TEST_CASE("a written scene is read as it was, normals to rounding, everything else bit for bit")
 {
     for (std::uint64_t index = 0; index < 16; ++index) {

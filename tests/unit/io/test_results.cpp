@@ -68,7 +68,7 @@ TEST_CASE("a run's JSON has every key of the contract", "[results]")
                    "pressure",       "rest_times", "final"}));
     CHECK(has_all(run["counts"], {"impacts", "clusters", "capped", "rests", "releases", "guarded", "settles",
                                   "cell_crossings", "list_rebuilds", "stale", "pair_tests", "root_solves"}));
-    CHECK(has_all(run["energy"], {"initial", "final", "max_relative_drift"}));
+    CHECK(has_all(run["energy"], {"initial", "final", "drag", "max_relative_drift"}));
     CHECK(has_all(run["final"][0], {"id", "position", "velocity", "mode"}));
     CHECK(run["format"] == "carom-run/1");
     CHECK(run["scene"] == "Two, \"balls\"");
