@@ -1,0 +1,88 @@
+/// \file
+/// FCL's continuous collision detection (fcl::continuousCollide) as contestants.
+///
+/// The request's defaults are the first variant of each. Left out is what does not work in FCL 0.7: CCDC_RAY_SHOOTING
+/// always reports free; CCDM_SCREW sees wrong contacts for pure translations; half-spaces and planes crash.
+#include "tools/peers/steps.hpp"
+
+#include "tunnel/peers.hpp"
+
+#include <fcl/fcl.h>
+
+#include <array>
+#include <memory>
+
+namespace carom::tunnel {
+
+namespace {
+
+struct Setting {
+    const char* variant;
+    fcl::CCDMotionType motion;
+    fcl::GJKSolverType solver;
+};
+constexpr std::array<Setting, 4> settings{{{"translation, libccd", fcl::CCDM_TRANS, fcl::GST_LIBCCD},
+                                           {"translation, indep", fcl::CCDM_TRANS, fcl::GST_INDEP},
+                                           {"linear, libccd", fcl::CCDM_LINEAR, fcl::GST_LIBCCD},
+                                           {"linear, indep", fcl::CCDM_LINEAR, fcl::GST_INDEP}}};
+
+/// Width of the box that stands for a plate [ball's radius and half of the thickness]: throws hit its middle.
+constexpr double plate_width = 100;
+
+std::shared_ptr<fcl::CollisionGeometryd> geometry(const PeerScene& scene)
+{
+    if (scene.target == Target::sphere) return std::make_shared<fcl::Sphered>(scene.thickness / 2);
+    const double width = plate_width * (scene.radius + scene.thickness / 2);
+    return std::make_shared<fcl::Boxd>(scene.thickness, width, width);  // its normal is x, as that of every throw
+}
+
+Flown fly(const Throw& t, double dt, std::int64_t steps, const fcl::ContinuousCollisionRequestd& request)
+{
+    const PeerScene scene = peer_scene(t);
+    const fcl::Sphered ball(scene.radius);
+    const std::shared_ptr<fcl::CollisionGeometryd> target = geometry(scene);
+    const auto query = [&](const Vec3& from, const Vec3& velocity, double length) -> std::optional<double> {
+        const fcl::Transform3d still = fcl::Transform3d::Identity();
+        fcl::Transform3d begin = still, end = still;
+        begin.translation() = from;
+        end.translation() = from + length * velocity;
+        fcl::ContinuousCollisionResultd result;
+        fcl::continuousCollide(&ball, begin, end, target.get(), still, still, request, result);
+        if (!result.is_collide) return {};
+        return result.time_of_contact * length;
+    };
+    return fly_in_steps(t, dt, steps, scene, query);
+}
+
+void add(Peers& peers, const char* name, fcl::CCDSolverType solver, std::optional<double> chords)
+{
+    peers.names.emplace_back(name);
+    for (const Setting& setting : settings) {
+        fcl::ContinuousCollisionRequestd request;
+        request.ccd_solver_type = solver;
+        request.ccd_motion_type = setting.motion;
+        request.gjk_solver_type = setting.solver;
+        Contestant who;
+        who.method = name;
+        who.variant = setting.variant;
+        who.chords_seen = chords;
+        who.cannot = no_half_spaces;
+        who.fly = [request](const Throw& t, double dt, std::int64_t steps) { return fly(t, dt, steps, request); };
+        peers.contestants.push_back(std::move(who));
+    }
+}
+
+}  // namespace
+
+Peers fcl_peers()
+{
+    // Naive: the ball is looked at in num_max_iterations = 10 places, both ends among them, and seen on both sides of
+    // the middle: two chords for each of nine parts of a step.
+    constexpr double parts = 9;
+    Peers peers;
+    add(peers, "fcl_naive", fcl::CCDC_NAIVE, 2 * parts);
+    add(peers, "fcl_advancement", fcl::CCDC_CONSERVATIVE_ADVANCEMENT, std::numeric_limits<double>::infinity());
+    return peers;
+}
+
+}  // namespace carom::tunnel
