@@ -21,6 +21,9 @@ foreach(peer IN ITEMS fcl ccd)
   endif()
 endforeach()
 
+# FCL was built with Eigen's alignment of 16 bytes; the core's flags would turn it off, and types with matrices in them
+# would have another layout. The core has no such types, so that nothing of carom's changes.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/tools/peers/fcl.cpp PROPERTIES COMPILE_DEFINITIONS EIGEN_MAX_STATIC_ALIGN_BYTES=16)
 add_library(carom_peers STATIC ${carom_peer_sources})
 carom_options(carom_peers)
 target_include_directories(carom_peers PRIVATE ${PROJECT_SOURCE_DIR})

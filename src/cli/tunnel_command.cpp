@@ -41,7 +41,7 @@ std::vector<std::string> write_files(const std::filesystem::path& folder, const 
     write("tunnel.csv", io::tunnel_csv(report));
     if (!report.criticals.empty()) write("critical.csv", io::critical_csv(report));
     write("tunnel.json", json);
-    write("report.html", comparison_page(report::tunnel_page_data(report)));
+    write("report.html", comparison_page(report::tunnel_page_data(report, page_generator())));
     if (report.scene.empty()) write_throws(folder, report, files);
     return files;
 }

@@ -130,11 +130,11 @@ std::string critical_table(const tunnel::Report& report)
                          never || !span.law ? "-" : fmt::format("{:.2g} %", span.worst * per_cent)});
     }
     return "\n" + aligned(lines, 2) +
-           "\ncritical speed: the lowest that tunnels, in chords a step: v dt / (radius + thickness/2) for a plate, v "
-           "dt / "
-           "sqrt((r1+r2)^2 - b^2)\nfor a sphere hit at an offset b; the span of all sizes and steps, "
-           "each "
-           "found within 1 %.\n";
+           "\ncritical speed: the lowest that tunnels, in chords a step, over all sizes, offsets and steps; each was "
+           "found "
+           "within 1 %.\nA chord is radius + thickness/2 of a plate, sqrt((r1+r2)^2 - b^2) of a sphere hit at offset "
+           "b; "
+           "critical.csv (-o DIR) has each.\n";
 }
 
 }  // namespace

@@ -32,9 +32,10 @@ Json table(const Columns& columns, const Lines& lines)
 
 }  // namespace
 
-std::string tunnel_page_data(const tunnel::Report& report)
+std::string tunnel_page_data(const tunnel::Report& report, const std::string& generator)
 {
     Json json = {{"format", "carom-tunnel-page/1"},
+                 {"generator", generator},
                  {"title", report.scene.empty() ? "Tunnelling" : "Tunnelling: " + report.scene},
                  {"verdict", tunnel::verdict(report)},
                  {"scene", report.scene},

@@ -17,7 +17,7 @@
 
 namespace carom::report {
 
-/// Compact.
-std::string tunnel_page_data(const tunnel::Report& report);
+/// Compact. \param generator program and version
+std::string tunnel_page_data(const tunnel::Report& report, const std::string& generator);
 
 }  // namespace carom::report

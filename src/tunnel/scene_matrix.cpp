@@ -40,13 +40,13 @@ void run_scene(const Scene& scene, const Matrix& matrix, const std::vector<Conte
     for (const double speed : matrix.speed) {
         if (!patience.lasts()) break;
         SceneThrows throws(scene, speed, longest_step, on_progress);
+        if (!patience.lasts()) break;
         if (throws.has_contact())
             speeds.push_back(std::move(throws));
         else
             report.absent.push_back(
-                {"speed " + study::three_digits(speed), "\"" + throws.thrown() +
-                                                            "\" meets nothing faster than v_c before the "
-                                                            "scene's end_time"});
+                {"speed " + study::three_digits(speed),
+                 "\"" + throws.thrown() + "\" meets nothing faster than v_c in the time of the scene"});
     }
     patience.begin("tunnel", static_cast<double>(contestants.size() * matrix.dt.size() * speeds.size()), "cells");
     std::size_t done = 0;

@@ -24,10 +24,10 @@ Scene scaled(Scene scene, BodyId body, double speed)
     return scene;
 }
 
-/// When the body has its first impact; the scene's end if it has none [time].
-double first_impact(const Scene& scene, BodyId body, const OnProgress& on_progress)
+/// When the body has its first impact; `until` if it has none before [time].
+double first_impact(const Scene& scene, BodyId body, double until, const OnProgress& on_progress)
 {
-    double first = scene.end_time;
+    double first = until;
     bool found = false;
     Observer observer;
     observer.on_event = [&](const Event& event) {
@@ -36,10 +36,16 @@ double first_impact(const Scene& scene, BodyId body, const OnProgress& on_progre
         first = event.time;
     };
     observer.on_progress = [&](double time) {
-        return !found && (!on_progress || on_progress({"truth", "truth", time / scene.end_time, time, ""}));
+        return !found && (!on_progress || on_progress({"truth", "truth", time / until, time, ""}));
     };
-    simulate(scene, EventDriven{}, {}, observer);
+    simulate(scene, EventDriven{}, {.until = until}, observer);
     return first;
+}
+
+/// How long a body is watched for its first impact: the scene's length, and longer where it is slower [time].
+double horizon(const Scene& scene, BodyId body, double speed)
+{
+    return scene.end_time * std::max(1.0, scene.spheres[static_cast<std::size_t>(body)].velocity.norm() / speed);
 }
 
 std::vector<BodyId> movable_of(const Scene& scene, const study::TruthContact& contact)
@@ -58,8 +64,10 @@ SceneThrows::SceneThrows(const Scene& scene, double speed, double longest_step, 
     : scene_(scaled(scene, fastest(scene), speed)),
       speed_(speed),
       body_(fastest(scene)),
-      truth_(study::record_truth(scene_, first_impact(scene_, body_, on_progress) + study::longest_case * longest_step,
-                                 on_progress))
+      truth_(study::record_truth(
+          scene_,
+          first_impact(scene_, body_, horizon(scene, body_, speed), on_progress) + study::longest_case * longest_step,
+          on_progress))
 {
     const auto found = std::find_if(truth_.contacts.begin(), truth_.contacts.end(),
                                     [&](const auto& contact) { return contact.a == body_ || contact.b == body_; });

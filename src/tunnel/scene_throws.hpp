@@ -17,7 +17,8 @@ public:
     /// \param longest_step of those that are asked about [time]
     SceneThrows(const Scene& scene, double speed, double longest_step, const OnProgress& on_progress);
 
-    /// Whether the body meets anything before the end of the scene, closing at v_c or faster.
+    /// Whether the body meets anything in the length of the scene (longer where it was slowed down), closing at v_c or
+    /// faster.
     bool has_contact() const { return contact_ < truth_.contacts.size(); }
     const std::string& thrown() const { return scene_.spheres[static_cast<std::size_t>(body_)].id; }
     /// \pre has_contact(); so below

@@ -38,7 +38,9 @@ std::string percent(std::int64_t part, std::int64_t whole)
 {
     if (part == 0) return "none";
     if (part == whole) return "all";
-    return study::two_digits(study::per_cent * static_cast<double>(part) / static_cast<double>(whole)) + " %";
+    const std::string text =
+        study::two_digits(study::per_cent * static_cast<double>(part) / static_cast<double>(whole));
+    return text == "100" ? "nearly all" : text + " %";
 }
 
 std::string on_event(const Total& total)
@@ -50,22 +52,41 @@ std::string on_event(const Total& total)
            std::to_string(total.wrong) + " were answered late or wrongly.";
 }
 
-std::string on_others(const Total& total)
+std::string fate_of(const Total& total)
 {
-    std::string text = total.method + ": " + percent(total.tunnelled, total.trials) + " of its throws tunnelled";
+    std::string text = percent(total.tunnelled, total.trials) + " of the throws tunnelled";
     if (!total.from.empty()) text += " (" + total.from + " on)";
     return text + ", " + percent(total.wrong, total.trials) + " were answered late or with another velocity.";
+}
+
+/// Methods of one fate share a sentence.
+std::vector<std::string> on_others(const std::vector<Total>& all)
+{
+    std::vector<std::pair<std::string, std::string>> sentences;  // fate, methods
+    for (const Total& total : all) {
+        if (total.trials == 0 || total.method == method_names().front()) continue;
+        const std::string fate = fate_of(total);
+        const auto same =
+            std::find_if(sentences.begin(), sentences.end(), [&](const auto& s) { return s.first == fate; });
+        if (same == sentences.end())
+            sentences.emplace_back(fate, total.method);
+        else
+            same->second += ", " + total.method;
+    }
+    std::vector<std::string> texts;
+    for (const auto& [fate, methods] : sentences) texts.push_back(methods + ": " + fate);
+    return texts;
 }
 
 }  // namespace
 
 std::vector<std::string> verdict(const Report& report)
 {
-    std::vector<std::string> sentences;
-    for (const Total& total : totals(report)) {
-        if (total.trials == 0) continue;
-        sentences.push_back(total.method == method_names().front() ? on_event(total) : on_others(total));
-    }
+    const std::vector<Total> all = totals(report);
+    std::vector<std::string> sentences = on_others(all);
+    for (const Total& total : all)
+        if (total.trials > 0 && total.method == method_names().front())
+            sentences.insert(sentences.begin(), on_event(total));
     const bool some_tunnel =
         std::any_of(report.rows.begin(), report.rows.end(), [](const Row& row) { return row.tunnelled > 0; });
     if (some_tunnel)
