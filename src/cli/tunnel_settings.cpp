@@ -3,6 +3,9 @@
 #include "cli/exit_codes.hpp"
 #include "core/names.hpp"
 #include "tunnel/peers.hpp"
+#include "tunnel/scene_throws.hpp"
+
+#include <carom/error.hpp>
 
 #include <fmt/format.h>
 
@@ -97,6 +100,10 @@ TunnelSettings tunnel_settings(const TunnelArguments& args, const GlobalArgument
                     fmt::format("--{}: the scene gives the bodies (leave the option out, or the scene)", option));
     if (!has_scene && !args.set.empty())
         throw UsageError("--set: there is no scene to change (name one: carom tunnel SCENE --set ...)");
+    if (has_scene && !tunnel::some_body_moves(scene))
+        throw InputError({file +
+                          ": /spheres: none of them moves at the start, and tunnel scales the speed of the fastest "
+                          "(give one a velocity)"});
     TunnelSettings settings;
     settings.matrix = matrix_of(choices);
     settings.matrix.seed = global.seed.value_or(scene.seed);

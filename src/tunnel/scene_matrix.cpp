@@ -1,11 +1,10 @@
+#include "core/expect.hpp"
 #include "core/patience.hpp"
 #include "core/random.hpp"
 #include "study/words.hpp"
 #include "tunnel/judge.hpp"
 #include "tunnel/scene_throws.hpp"
 #include "tunnel/tally.hpp"
-
-#include <carom/error.hpp>
 
 #include <algorithm>
 
@@ -25,15 +24,17 @@ void count(const Contestant& who, SceneThrows& throws, const Cell& cell, const M
 
 }  // namespace
 
+bool some_body_moves(const Scene& scene)
+{
+    return std::any_of(scene.spheres.begin(), scene.spheres.end(),
+                       [](const Sphere& sphere) { return sphere.velocity != Vec3::Zero(); });
+}
+
 void run_scene(const Scene& scene, const Matrix& matrix, const std::vector<Contestant>& contestants, Report& report,
                const OnProgress& on_progress)
 {
     report.scene = scene.name;
-    if (std::none_of(scene.spheres.begin(), scene.spheres.end(),
-                     [](const Sphere& sphere) { return sphere.velocity != Vec3::Zero(); }))
-        throw InputError(
-            {"/spheres: none of them moves at the start, and tunnel scales the speed of the fastest (give "
-             "one a velocity)"});
+    CAROM_EXPECT(some_body_moves(scene));
     Patience patience(on_progress);
     const double longest_step = *std::max_element(matrix.dt.begin(), matrix.dt.end());
     std::vector<SceneThrows> speeds;

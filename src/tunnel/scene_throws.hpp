@@ -40,8 +40,11 @@ private:
     Throw throw_;
 };
 
+/// Whether there is a speed to scale.
+bool some_body_moves(const Scene& scene);
+
 /// Every contestant at every step and speed of the scene; targets, thickness and radius are the scene's.
-/// \throws InputError if nothing in the scene moves
+/// \pre some_body_moves(scene)
 void run_scene(const Scene& scene, const Matrix& matrix, const std::vector<Contestant>& contestants, Report& report,
                const OnProgress& on_progress);
 
