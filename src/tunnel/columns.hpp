@@ -67,7 +67,9 @@ inline constexpr std::array<Column<Row>, 19> row_columns{{
     {"share_low", study::ColumnUnit::none, "Lower end of its interval of 95 % (Wilson).",
      share_cell<&study::Share::low>},
     {"share_high", study::ColumnUnit::none, "Upper end of it.", share_cell<&study::Share::high>},
-    {"law", study::ColumnUnit::none, "Share by the law; none for methods without one, and in scenes.",
+    {"law", study::ColumnUnit::none,
+     "Share by the law; none for methods without one, and in scenes where gravity bends the way or the other body "
+     "moves.",
      [](const Row& r) { return study::as_cell(r.law); }},
     {"example_phase", study::ColumnUnit::none,
      "Part of a step from the begin to the contact of a throw that shows the row: the first that tunnelled, else was "

@@ -59,6 +59,8 @@ void run_scene(const Scene& scene, const Matrix& matrix, const std::vector<Conte
                 const Cell cell = throws.cell(dt);
                 Tally tally(who, cell);
                 count(who, throws, cell, matrix, tally, patience);
+                const std::optional<double> seen = throws.seen_of_a_step(dt);
+                if (seen && who.chords_seen) tally.row.law = std::max(0.0, 1 - *who.chords_seen * *seen);
                 if (!patience.ended()) report.rows.push_back(std::move(tally.row));
             }
     }

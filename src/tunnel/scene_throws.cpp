@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carom::tunnel {
 
@@ -113,6 +114,20 @@ double SceneThrows::closing_steps(double dt) const
 {
     const double closing = truth_.contacts[contact_].speed_change / 2;
     return 2 * cell(dt).reach() / (closing * dt);
+}
+
+std::optional<double> SceneThrows::seen_of_a_step(double dt) const
+{
+    const study::TruthContact& contact = truth_.contacts[contact_];
+    if (!scene_.gravity.isZero(0) || movable_of(scene_, contact).size() > 1) return {};
+    const study::TruthState at = truth_.state_before(body_, contact.time);
+    const auto partner = static_cast<std::size_t>(contact.a == body_ ? contact.b : contact.a);
+    const double way = at.velocity.norm() * dt;
+    if (partner < scene_.spheres.size())
+        return -(at.position - scene_.spheres[partner].position).dot(at.velocity) / at.velocity.norm() / way;
+    const Plane& plane = scene_.planes[partner - scene_.spheres.size()];
+    if (!plane.thickness) return std::numeric_limits<double>::infinity();
+    return cell(dt).reach() / (std::abs(plane.normal.dot(at.velocity)) * dt);
 }
 
 bool SceneThrows::place(double phase, double dt)

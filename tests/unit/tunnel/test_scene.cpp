@@ -58,7 +58,21 @@ TEST_CASE("the fastest body of a scene is missed by the law at a plate, a fixed 
         CHECK(at_wall.cell.target == Target::wall);
         CHECK(at_wall.tunnelled + at_wall.wrong == 0);
         for (const Row& row : {at_plate, at_sphere, at_wall}) CHECK(row.trials == 1000);
+        CHECK(at_plate.law.value() == Approx(std::max(0.0, 1 - chords[0] / (speed * 0.01))));
+        CHECK(at_sphere.law.value() == Approx(std::max(0.0, 1 - chords[1] / (speed * 0.01))));
+        CHECK(at_wall.law.value() == 0);
     }
+}
+
+TEST_CASE("a plate that is hit at a slant is seen as long as the speed along its normal says", "[tunnel]")
+{
+    Scene scene = ball();
+    add_plane(scene, "slanted", {0.6, 0.8, 0}, 3);
+    scene.planes[0].thickness = 0.02;
+    const Row row = thrown(scene, asked({40}), "velocity").rows.at(0);
+    const double law = 1 - 0.11 / (0.6 * 40 * 0.01);
+    CHECK(row.law.value() == Approx(law));
+    CHECK(binomial_p(row.tunnelled, row.trials, law) >= 1e-6);
 }
 
 TEST_CASE("gravity bends the way to the contact, and toi with parabolas follows it", "[tunnel]")
@@ -75,6 +89,7 @@ TEST_CASE("gravity bends the way to the contact, and toi with parabolas follows 
         CHECK(row.trials == 1000);
         CHECK(row.tunnelled + row.wrong == 0);
         CHECK(row.worst_error.value() < 1e-12);
+        CHECK_FALSE(row.law);
     }
 }
 

@@ -29,7 +29,7 @@ function lawLine(target, chords, [low, high]) {
   return { type: "line", data, showSymbol: false, silent: true, z: 2, lineStyle: { color: theme().ink, width: 1.5, type: "solid" }, tooltip: { show: false } };
 }
 
-export function curveFigure({ rows, title }) {
+export function curveFigure({ rows, title, scene }) {
   const targets = valuesOf(rows, "target");
   const names = valuesOf(rows.map((row) => ({ name: lineName(row) })), "name");
   let target = targets[0];
@@ -47,7 +47,8 @@ export function curveFigure({ rows, title }) {
     key.show(methods.map((name) => ({ name, style: { ...methodStyle(name), dash: [0, 40] } })));
     const logs = points.map((row) => Math.log10(row.number));
     const range = points.length ? [Math.floor(Math.min(...logs)), Math.ceil(Math.max(...logs))] : [-1, 1];
-    const laws = [...new Set(lines.map(({ name }) => chordsOf(rows.filter((row) => lineName(row) === name))).filter(isNumber).map((k) => Number(k.toPrecision(6))))];
+    // At a sphere of a scene all throws have one offset, of which the rows alone tell the law.
+    const laws = scene && target === "sphere" ? [] : [...new Set(lines.map(({ name }) => chordsOf(rows.filter((row) => lineName(row) === name))).filter(isNumber).map((k) => Number(k.toPrecision(6))))];
     const step = Math.max(1, Math.ceil((range[1] - range[0]) / (narrow ? 4 : 8)));
     const ticks = Array.from({ length: Math.floor((range[1] - range[0]) / step) + 1 }, (_, i) => range[0] + i * step);
     return {
