@@ -32,6 +32,7 @@ carom_install(carom carom ${carom_core_headers})
 if(CAROM_TOOLS)
   carom_install(carom_reference reference)
   carom_install(carom_study study ${carom_study_headers})
+  carom_install(carom_tunnel tunnel)
   carom_install(carom_io io ${carom_io_headers})
 endif()
 

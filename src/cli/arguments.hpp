@@ -57,6 +57,14 @@ struct StressArguments {
     std::string out;     ///< folder for stress.csv and stress.json; may be empty
 };
 
+struct TunnelArguments {
+    std::string scene;   ///< whose bodies are thrown; empty: the matrix
+    GivenOptions given;  ///< speed, thickness, radius, dt, target, offset, methods, trials, bisect, max_seconds
+    bool allow_overlap = false;
+    std::vector<std::string> set;  ///< "/pointer=value"
+    std::string out;               ///< folder for files and page; may be empty
+};
+
 struct VerifyArguments {
     GivenOptions given;      ///< max_seconds
     std::string run;         ///< folder of a run, or its recording
@@ -77,7 +85,7 @@ struct ScenesArguments {
     std::vector<std::string> validate;  ///< scenes to validate; empty: the catalogue
 };
 
-enum class Command { run, compare, check, explain, stress, verify, report, scenes, toi };
+enum class Command { run, compare, check, explain, stress, tunnel, verify, report, scenes, toi };
 
 struct Arguments {
     GlobalArguments global;
@@ -87,6 +95,7 @@ struct Arguments {
     CheckArguments check;
     ExplainArguments explain;
     StressArguments stress;
+    TunnelArguments tunnel;
     VerifyArguments verify;
     ReportArguments report;
     ScenesArguments scenes;
@@ -102,7 +111,7 @@ struct ParseResult {
 /// \param args without the program's name
 ParseResult parse_arguments(const std::vector<std::string>& args);
 
-/// Why these arguments belong to a later version, if they do: "tunnel: not yet ...".
+/// Why these arguments belong to a later version, if they do: "view: not yet ...".
 std::optional<std::string> later_feature(const std::vector<std::string>& args);
 
 }  // namespace carom::cli

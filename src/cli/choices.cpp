@@ -48,12 +48,11 @@ ImpactOperator impact_operator(std::string_view word)
         {"unknown operator \"" + text + "\"" + io::suggestion(text, words_of(impact_operator_names), "take")});
 }
 
-std::string known_method(const std::string& word)
+void expect_known_word(const std::string& word, const std::vector<std::string>& known, const std::string& what)
 {
-    const std::vector<std::string>& known = method_names();
-    if (std::find(known.begin(), known.end(), word) != known.end()) return word;
+    if (std::find(known.begin(), known.end(), word) != known.end()) return;
     const std::string near = io::nearest(word, known);
-    throw std::invalid_argument(fmt::format("unknown method \"{}\" ({}take {})", word,
+    throw std::invalid_argument(fmt::format("unknown {} \"{}\" ({}take {})", what, word,
                                             near.empty() ? "" : "did you mean \"" + near + "\"? ",
                                             fmt::join(known, ", ")));
 }
@@ -114,12 +113,28 @@ std::vector<int> Choices::integers(const std::string& name, std::vector<int> oth
     });
 }
 
-std::vector<std::string> Choices::methods(const std::string& name, std::vector<std::string> otherwise) const
+std::vector<double> Choices::numbers_from_zero(const std::string& name, std::vector<double> otherwise) const
 {
     return read(name, std::move(otherwise), [](const std::string& text) {
-        std::vector<std::string> words = parse_words(text);
-        for (const std::string& word : words) known_method(word);
-        return words;
+        std::vector<double> values = parse_list(text);
+        for (const double value : values)
+            if (!(value >= 0)) throw std::invalid_argument(fmt::format("{} in \"{}\" must be >= 0", value, text));
+        return values;
+    });
+}
+
+std::vector<std::string> Choices::methods(const std::string& name, std::vector<std::string> otherwise) const
+{
+    return words(name, std::move(otherwise), method_names(), "method");
+}
+
+std::vector<std::string> Choices::words(const std::string& name, std::vector<std::string> otherwise,
+                                        const std::vector<std::string>& known, const std::string& what) const
+{
+    return read(name, std::move(otherwise), [&](const std::string& text) {
+        std::vector<std::string> listed = parse_words(text);
+        for (const std::string& word : listed) expect_known_word(word, known, what);
+        return listed;
     });
 }
 

@@ -23,12 +23,16 @@ public:
     /// `place` is the scene's file and the pointer of `defaults`, for messages: "ball.json: /compare".
     Choices(const GivenOptions& given, const CommandDefaults& defaults, std::string place);
 
-    double number(const std::string& name, double otherwise) const;                             ///< > 0
-    long long integer(const std::string& name, long long otherwise) const;                      ///< >= 1
-    std::vector<double> numbers(const std::string& name, std::vector<double> otherwise) const;  ///< each > 0
-    std::vector<int> integers(const std::string& name, std::vector<int> otherwise) const;       ///< each >= 1
+    double number(const std::string& name, double otherwise) const;                                       ///< > 0
+    long long integer(const std::string& name, long long otherwise) const;                                ///< >= 1
+    std::vector<double> numbers(const std::string& name, std::vector<double> otherwise) const;            ///< each > 0
+    std::vector<int> integers(const std::string& name, std::vector<int> otherwise) const;                 ///< each >= 1
+    std::vector<double> numbers_from_zero(const std::string& name, std::vector<double> otherwise) const;  ///< each >= 0
     std::vector<std::string> methods(const std::string& name,
                                      std::vector<std::string> otherwise) const;  ///< known ones
+    /// Words of a list, each among `known`. \param what one of them is, for messages
+    std::vector<std::string> words(const std::string& name, std::vector<std::string> otherwise,
+                                   const std::vector<std::string>& known, const std::string& what) const;
     StepOptions step(std::uint64_t seed) const;  ///< order, integrator, literal; dt, substeps, passes as built in
     std::string word(const std::string& name, const std::vector<std::string>& known) const;  ///< \pre has(name)
     std::string text(const std::string& name) const;  ///< as given, empty if it is not

@@ -35,6 +35,8 @@ int dispatch(const Arguments& arguments, const Console& console)
             return do_explain(arguments.explain, arguments.global, console);
         case Command::stress:
             return do_stress(arguments.stress, arguments.global, console);
+        case Command::tunnel:
+            return do_tunnel(arguments.tunnel, arguments.global, console);
         case Command::verify:
             return do_verify(arguments.verify, arguments.global, console);
         case Command::report:

@@ -18,6 +18,9 @@ void add_time_limit(CLI::App& app, GivenOptions& given);
 
 void define_scenes(CLI::App& app, ScenesArguments& scenes);
 void define_toi(CLI::App& app);
+/// --allow-overlap, --set.
+void add_scene_options(CLI::App& app, bool& allow_overlap, std::vector<std::string>& set);
+void define_tunnel(CLI::App& app, TunnelArguments& tunnel);
 void define_verify(CLI::App& app, VerifyArguments& verify);
 
 }  // namespace carom::cli

@@ -8,7 +8,7 @@ namespace carom::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> later_commands{"tunnel", "view", "export", "query"};
+constexpr std::array<std::string_view, 3> later_commands{"view", "export", "query"};
 constexpr std::array<std::string_view, 2> later_options{"--save-state", "--equilibrate"};
 
 template <typename List>

@@ -17,10 +17,6 @@
 
 namespace carom::cli {
 
-namespace {
-
-}  // namespace
-
 void add_given(CLI::App& app, GivenOptions& given, const std::string& flag, const std::string& value,
                const std::string& help)
 {
@@ -35,6 +31,14 @@ void add_time_limit(CLI::App& app, GivenOptions& given)
 {
     add_given(app, given, "--max-seconds", "S",
               "Stop after so many seconds on the clock, counted from the start of the command");
+}
+
+void add_scene_options(CLI::App& app, bool& allow_overlap, std::vector<std::string>& set)
+{
+    app.add_flag("--allow-overlap", allow_overlap, "Let bodies overlap at the start");
+    app.add_option("--set", set, "Change the scene before it is read: a JSON value or a bare string; repeatable")
+        ->type_name("/POINTER=VALUE")
+        ->allow_extra_args(false);
 }
 
 namespace {
@@ -67,14 +71,6 @@ void add_springs(CLI::App& app, GivenOptions& given)
     add_given(app, given, "--stiffness", "K", "penalty only: of every spring [two bodies: ten substeps in contact]");
     add_given(app, given, "--hertz", "F", "soft only: frequency of the spring of an overlap [30]");
     add_given(app, given, "--damping-ratio", "Z", "soft only: damping ratio of that spring [10]");
-}
-
-void add_scene_options(CLI::App& app, bool& allow_overlap, std::vector<std::string>& set)
-{
-    app.add_flag("--allow-overlap", allow_overlap, "Let bodies overlap at the start");
-    app.add_option("--set", set, "Change the scene before it is read: a JSON value or a bare string; repeatable")
-        ->type_name("/POINTER=VALUE")
-        ->allow_extra_args(false);
 }
 
 void define_run(CLI::App& app, RunArguments& run)
@@ -274,6 +270,8 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     define_explain(*explain, arguments.explain);
     CLI::App* stress = app.add_subcommand("stress", "Stiff and extreme cases: who passes, and why others fail");
     define_stress(*stress, arguments.stress);
+    CLI::App* tunnel = app.add_subcommand("tunnel", "Who goes through thin walls: speeds, steps and the law");
+    define_tunnel(*tunnel, arguments.tunnel);
     CLI::App* verify = app.add_subcommand("verify", "Certificate of a recorded run");
     define_verify(*verify, arguments.verify);
     CLI::App* report = app.add_subcommand("report", "One self-contained page of one or more comparisons");
@@ -287,7 +285,8 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     const auto global_help = [](CLI::App* command) {
         command->footer(command->get_footer() + "\nEverywhere: --json, -q, -v, --no-progress, --seed N (see carom -h)");
     };
-    for (CLI::App* command : {run, compare, check, explain, stress, verify, report, scenes, toi}) global_help(command);
+    for (CLI::App* command : {run, compare, check, explain, stress, tunnel, verify, report, scenes, toi})
+        global_help(command);
 
     try {
         app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them last first
@@ -303,6 +302,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
                         : check->parsed()   ? Command::check
                         : explain->parsed() ? Command::explain
                         : stress->parsed()  ? Command::stress
+                        : tunnel->parsed()  ? Command::tunnel
                         : verify->parsed()  ? Command::verify
                         : report->parsed()  ? Command::report
                         : toi->parsed()     ? Command::toi

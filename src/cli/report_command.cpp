@@ -74,9 +74,14 @@ std::vector<std::string> read_comparisons(const std::vector<std::string>& folder
 
 }  // namespace
 
+std::string page_generator()
+{
+    return std::string("carom ") + CAROM_VERSION;
+}
+
 void write_page(const std::filesystem::path& file, const std::vector<std::string>& comparisons)
 {
-    write_file(file, comparison_page(report::page_data(comparisons, std::string("carom ") + CAROM_VERSION)));
+    write_file(file, comparison_page(report::page_data(comparisons, page_generator())));
 }
 
 int do_report(const ReportArguments& args, const GlobalArguments& global, const Console& console)

@@ -4,6 +4,7 @@
 
 #include "io/command_facts.hpp"
 #include "study/stress.hpp"
+#include "tunnel/study.hpp"
 
 #include <carom/checks.hpp>
 #include <carom/study.hpp>
@@ -38,6 +39,9 @@ extern const char* const compare_legend;
 
 /// A comparison, one row a line, then what its columns mean, and the verdict.
 std::string compare_table(const Scene& scene, const Comparison& comparison);
+
+/// The matrix summed up by method and target, or each row where there are few; then critical speeds beside the law.
+std::string tunnel_table(const tunnel::Report& report);
 
 /// Cases by methods, then each case with its rule and why methods fail it.
 std::string stress_table(const stress::Report& report);

@@ -24,7 +24,9 @@ const std::vector<CommandOptions>& command_options()
          {"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats", "tolerance",
           "max_seconds", "impact", "stiffness", "hertz", "damping_ratio"},
          {}},
-        {"tunnel", {"speed", "thickness", "radius", "dt", "methods", "trials", "bisect"}, {}},
+        {"tunnel",
+         {"speed", "thickness", "radius", "dt", "target", "offset", "methods", "trials", "bisect", "max_seconds"},
+         {}},
         {"view", {"out"}, {}},
     };
     return options;
@@ -82,7 +84,8 @@ CommandDefaults read_defaults(const Place& section, const CommandOptions& option
         } else if (!listed(options.now, key)) {
             problems.add(place.pointer, "unknown key" + suggestion(key, options.now, "options of " + options.command));
         } else {
-            if (key == "methods") check_methods(place, problems);
+            // Libraries of others are methods of `tunnel`, too; which, the command knows.
+            if (key == "methods" && options.command != "tunnel") check_methods(place, problems);
             if (key == "method") as_word(place, method_names(), {}, problems);
             if (auto value = as_option(place, problems)) defaults.emplace(key, *std::move(value));
         }

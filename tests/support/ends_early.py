@@ -133,6 +133,8 @@ def main():
                                      "1e-8", "--json", "-o", out), "stopped"),
             "check": (command("check", "cradle", gas, "--json"), "stopped"),
             "stress": (command("stress", "--json", "-o", out), "stopped"),
+            "tunnel": (command("tunnel", "--trials", "100000", "--json", "-o", out), "stopped"),
+            "tunnel scene": (command("tunnel", gas, "--trials", "1000000", "--json", "-o", out), "stopped"),
             "verify": (command("verify", recording, "--all-pairs", "--json"), "stopped"),
             "report": (command("report", *[pages] * 20000, "--json", "-o", os.path.join(out, "all.html")), None),
         }
@@ -159,6 +161,7 @@ def main():
                                   ("run", command("run", gas), ("run: t = ", " s left")),
                                   ("compare", command("compare", gas, "-o", out), ("reference", " %")),
                                   ("stress", command("stress"), (", ", " %")),
+                                  ("tunnel", command("tunnel", "--trials", "100000"), ("event", " %")),
                                   ("verify", command("verify", recording, "--all-pairs"), ("flights: ", " %"))):
             if WANTED and name not in WANTED:
                 continue

@@ -13,6 +13,7 @@ import { placeLabels, spread } from "./src/labels.js";
 import { farBelow, logAxis } from "./src/logaxis.js";
 import { groupRows, rowLabel, stepLabel, stepsOf, withLateAndLost } from "./src/rows.js";
 import { methodStyle, SYMBOLS } from "./src/styles.js";
+import { chordsOf, lineName, objects, share, throwScene } from "./src/tunnel_data.js";
 import { projection, suitableHeight } from "./src/view_draw.js";
 
 // docs/compare.md is held against the table from which the file is written.
@@ -205,6 +206,45 @@ test("the example keeps to the format", () => {
     for (const m of missed) assert.ok(m.times.length === m.names.length && m.times.every((t) => t <= until) && m.times.length === rows[m.row].missed_impacts);
     for (const t of view.tracks) assert.equal(decodeTrack(t.data).length, view.times.length * view.radius.length * 2);
   }
+});
+
+test("rows of a tunnelling study are told apart by what differs", () => {
+  const [row] = objects(["method", "integrator", "variant"], [["fcl_naive", null, "linear, indep"]]);
+  assert.equal(lineName(row), "fcl_naive, linear, indep");
+  assert.equal(lineName({ method: "pbd", integrator: "parabola", variant: "" }), "pbd, parabola");
+  assert.equal(lineName({ method: "pbd", integrator: "euler", variant: "" }), "pbd");
+});
+
+test("the law that is drawn is 1 - k/x at a plate and its mean over offsets at a sphere", () => {
+  assert.equal(share("plate", 1, 0.5), 0);
+  assert.equal(share("plate", 2, 8), 0.75);
+  assert.equal(share("wall", 1, 100), 0);
+  for (const x of [0.4, 1, 7]) { // rings of equal area
+    const n = 20000;
+    let sum = 0;
+    for (let i = 0; i < n; i += 1) sum += Math.max(0, 1 - Math.sqrt((i + 0.5) / n) / x) / n;
+    assert.ok(Math.abs(share("sphere", 1, x) - sum) < 1e-6);
+  }
+  for (const target of ["plate", "sphere"]) for (const k of [1, 2, 18]) {
+    const rows = [0.3, 5, 40, 400].map((number) => ({ target, number, law: share(target, k, number) }));
+    assert.ok(Math.abs(chordsOf(rows) - k) < 1e-9 * k);
+  }
+  assert.equal(chordsOf([{ target: "plate", number: 3, law: null }]), null);
+});
+
+test("the scene of a throw touches its target where the phase says", () => {
+  const row = { method: "velocity", variant: "", integrator: "euler", radius: 0.1, thickness: 0.02, speed: 30, dt: 0.01, example_phase: 0.25, example_offset: 0.6 };
+  for (const target of ["plate", "sphere", "wall"]) {
+    const offset = target === "sphere" ? 0.6 : 0;
+    const scene = throwScene({ ...row, target, thickness: target === "wall" ? null : 0.02, example_offset: offset });
+    const [x, y, z] = scene.spheres[0].position;
+    const at = x + 30 * 0.25 * 0.01; // at the contact
+    const reach = target === "wall" ? 0.1 : 0.11;
+    assert.ok(Math.abs(Math.hypot(at, z) - reach) < 1e-15 && y === 0 && at < 0);
+    assert.equal(scene.run.method, "velocity");
+    assert.equal(scene.planes?.[0].thickness, target === "plate" ? 0.02 : undefined);
+  }
+  assert.equal(throwScene({ ...row, target: "plate", method: "fcl_naive", variant: "linear, indep" }).run, undefined);
 });
 
 test("the built page is one file", { skip: !existsSync(process.env.CAROM_PAGE ?? "") }, () => {

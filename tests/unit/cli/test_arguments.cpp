@@ -166,7 +166,7 @@ TEST_CASE("what belongs to later versions is refused and not in the help", "[arg
 {
     std::string help = parse_arguments({"-h"}).out;
     for (const char* command : {"run", "compare", "stress", "scenes"}) help += parse_arguments({command, "-h"}).out;
-    for (const char* word : {"tunnel", "view", "export", "query", "--save-state", "--equilibrate"}) {
+    for (const char* word : {"view", "export", "query", "--save-state", "--equilibrate"}) {
         CAPTURE(word);
         CHECK_THAT(help, !Contains(std::string(" ") + word + " "));
         const bool option = word[0] == '-';

@@ -243,7 +243,6 @@ TEST_CASE("what cannot be read exits with 3, what cannot be understood with 2", 
     }
     CHECK(carom_tool({"run", folder / "ball.json", "--dt", "0"}).code == exit_usage);
     CHECK(carom_tool({"run", folder / "ball.json", "--method", "magic"}).code == exit_usage);
-    CHECK(carom_tool({"tunnel"}).code == exit_usage);
     CHECK(carom_tool({"report", folder / "nothing"}).code == exit_bad_input);
     folder.write("file", "");
     CHECK(carom_tool({"run", folder / "ball.json", "-o", folder / "file"}).code == exit_bad_input);

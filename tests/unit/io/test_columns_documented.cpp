@@ -3,6 +3,7 @@
 #include "io/recording_columns.hpp"
 #include "io/recording_format.hpp"
 #include "study/compare_columns.hpp"
+#include "tunnel/columns.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -57,6 +58,29 @@ TEST_CASE("docs/compare.md lists the columns that a comparison has", "[results]"
                  " |\n";
     INFO("it should end in\n" << table);
     CHECK(text_of("docs/compare.md").ends_with("|---|---|---|\n" + table));
+}
+
+namespace {
+
+template <class Columns>
+std::string table_of(const Columns& columns)
+{
+    std::string table = "|---|---|---|\n";
+    for (const auto& column : columns)
+        table += "| `" + std::string(column.name) + "` | " +
+                 std::string(name_of(column.unit, study::column_unit_names)) + " | " + std::string(column.meaning) +
+                 " |\n";
+    return table;
+}
+
+}  // namespace
+
+TEST_CASE("docs/tunnel.md lists the columns of tunnel.csv and critical.csv", "[results]")
+{
+    const std::string page = text_of("docs/tunnel.md");
+    INFO("it should have\n" << table_of(tunnel::row_columns) << table_of(tunnel::critical_columns));
+    CHECK(page.find(table_of(tunnel::row_columns) + "\n") != std::string::npos);
+    CHECK(page.ends_with(table_of(tunnel::critical_columns)));
 }
 
 TEST_CASE("the page explains the columns of a comparison in the same words", "[results]")

@@ -9,10 +9,11 @@ import { withLateAndLost } from "./rows.js";
 import { glossary, rowsTable } from "./table.js";
 import { onThemeChange } from "./theme.js";
 import { timeFigure } from "./time_chart.js";
+import { tunnelPage } from "./tunnel_page.js";
 import { viewFigure } from "./view.js";
 import { workFigure } from "./work_chart.js";
 
-const FORMAT = "carom-page/1";
+const PAGES = { "carom-page/1": build, "carom-tunnel-page/1": tunnelPage };
 const KINDS = { closed_form: "closed form", multiprecision: "independent multiprecision integrator" };
 
 /** What may be absent is made empty, so that nothing later has to ask. */
@@ -95,8 +96,8 @@ function start() {
   const show = () => {
     try {
       const data = JSON.parse(document.getElementById("carom-data").textContent);
-      if (data.format !== FORMAT) throw new Error(`its data are “${data.format}”, it can show “${FORMAT}”`);
-      main.replaceChildren(...build(data));
+      if (!Object.hasOwn(PAGES, data.format)) throw new Error(`its data are “${data.format}”, it can show ${Object.keys(PAGES).join(", ")}`);
+      main.replaceChildren(...PAGES[data.format](data));
     } catch (error) {
       main.replaceChildren(h("p", { class: "failure" }, `This page cannot be shown: ${error.message}`));
       throw error;

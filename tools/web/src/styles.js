@@ -25,6 +25,9 @@ const METHODS = {
   penalty: { colors: ["#006f80", "#56cfe1"], symbol: "plus", dash: [5, 2, 1, 2, 1, 2], width: 2 },
   toi: { colors: ["#a3185f", "#ff8fc4"], symbol: "star", dash: [6, 2], width: 2 },
   speculative: { colors: ["#4b6b00", "#b9dc63"], symbol: "triangle", dash: [3, 3, 9, 3], width: 2 },
+  fcl_naive: { colors: ["#5b4b00", "#d8c25a"], symbol: "cross", dash: [9, 2], width: 2 },
+  fcl_advancement: { colors: ["#00695c", "#6fd6c6"], symbol: "wedge", dash: [4, 2], width: 2 },
+  libccd_advancement: { colors: ["#5c3d99", "#b8a1f0"], symbol: "plus", dash: [12, 2, 2, 2], width: 2 },
   soft: { colors: ["#8a3c12", "#f0a07a"], symbol: "circle", dash: [1, 3], width: 2 },
 };
 const OTHERS = [

@@ -1,0 +1,116 @@
+#include "cli/tunnel_settings.hpp"
+
+#include "cli/exit_codes.hpp"
+#include "core/names.hpp"
+#include "tunnel/peers.hpp"
+#include "tunnel/scene_throws.hpp"
+
+#include <carom/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace carom::cli {
+
+namespace {
+
+std::vector<tunnel::Peers> all_peers()
+{
+    return {tunnel::fcl_peers(), tunnel::libccd_peers()};
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+tunnel::Matrix matrix_of(const Choices& choices)
+{
+    tunnel::Matrix matrix;
+    matrix.speed = choices.numbers("speed", matrix.speed);
+    matrix.thickness = choices.numbers_from_zero("thickness", matrix.thickness);
+    matrix.radius = choices.numbers("radius", matrix.radius);
+    matrix.dt = choices.numbers("dt", matrix.dt);
+    matrix.trials = choices.integer("trials", matrix.trials);
+    matrix.offsets = choices.numbers_from_zero("offset", matrix.offsets);
+    for (const double offset : matrix.offsets)
+        if (!(offset < 1))
+            throw UsageError(
+                fmt::format("--offset: {} is no hit (offsets are parts of the sum of the radii, below 1)", offset));
+    const std::vector<std::string> known = words_of(tunnel::target_names);
+    matrix.targets.clear();
+    for (const std::string& word : choices.words("target", known, known, "target"))
+        matrix.targets.push_back(*value_named<tunnel::Target>(word, tunnel::target_names));
+    return matrix;
+}
+
+/// Motions between contacts: both where they differ.
+std::vector<Integrator> integrators_of(const Scene& scene)
+{
+    if (scene.gravity.isZero(0)) return {Integrator::euler};
+    return {Integrator::euler, Integrator::parabola};
+}
+
+void add_methods(const Choices& choices, const Scene& scene, bool has_scene, TunnelSettings& settings)
+{
+    std::vector<std::string> known = method_names();
+    const std::vector<tunnel::Peers> peers = all_peers();
+    for (const tunnel::Peers& each : peers) known.insert(known.end(), each.names.begin(), each.names.end());
+    const std::vector<std::string> wanted = choices.words("methods", known, known, "method");
+    for (const std::string& method : method_names()) {
+        if (!contains(wanted, method)) continue;
+        if (has_scene && method == method_names().front()) {
+            settings.absent.push_back({method, "its run is the truth of a scene"});
+            continue;
+        }
+        for (const Integrator integrator : integrators_of(scene)) {
+            StepOptions step;
+            step.integrator = integrator;
+            step.seed = settings.matrix.seed;
+            settings.contestants.push_back(tunnel::contestant(method, step));
+            if (settings.contestants.back().is_exact) break;
+        }
+    }
+    for (const tunnel::Peers& each : peers)
+        for (const std::string& name : each.names) {
+            if (!contains(wanted, name)) continue;
+            if (has_scene && !choices.has("methods")) continue;  // nobody asked for them
+            const std::string why = has_scene ? "collision libraries are thrown with in the matrix only" : each.absent;
+            if (!why.empty()) settings.absent.push_back({name, why});
+            if (why.empty())
+                std::copy_if(each.contestants.begin(), each.contestants.end(), std::back_inserter(settings.contestants),
+                             [&](const tunnel::Contestant& who) { return who.method == name; });
+        }
+}
+
+}  // namespace
+
+TunnelSettings tunnel_settings(const TunnelArguments& args, const GlobalArguments& global, const Scene& scene,
+                               const std::string& file)
+{
+    const bool has_scene = !file.empty();
+    const Choices choices(args.given, scene.tunnel, file + ": /tunnel");
+    choices.expect_known(
+        {"speed", "thickness", "radius", "dt", "target", "offset", "methods", "trials", "bisect", "max_seconds"});
+    if (has_scene)
+        for (const char* option : {"thickness", "radius", "target", "offset", "bisect"})
+            if (args.given.contains(option))
+                throw UsageError(
+                    fmt::format("--{}: the scene gives the bodies (leave the option out, or the scene)", option));
+    if (!has_scene && !args.set.empty())
+        throw UsageError("--set: there is no scene to change (name one: carom tunnel SCENE --set ...)");
+    if (has_scene && !tunnel::some_body_moves(scene))
+        throw InputError({file +
+                          ": /spheres: none of them moves at the start, and tunnel scales the speed of the fastest "
+                          "(give one a velocity)"});
+    TunnelSettings settings;
+    settings.matrix = matrix_of(choices);
+    settings.matrix.seed = global.seed.value_or(scene.seed);
+    settings.bisect = choices.flag("bisect") && !has_scene;
+    settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
+    add_methods(choices, scene, has_scene, settings);
+    return settings;
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,73 @@
+/// \file
+/// A time stepper around a query of continuous collision detection, as an engine would use it: ask for each step, go to
+/// the contact, reflect, finish the step.
+#pragma once
+
+#include "tunnel/contestant.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::tunnel {
+
+/// Thrown ball and its target, as the query sees them.
+struct PeerScene {
+    double radius = 0;  ///< of the ball [length]
+    Target target = Target::plate;
+    double thickness = 0;         ///< [length]
+    Vec3 normal = Vec3::UnitX();  ///< of a plate; its middle is at the origin
+};
+
+/// \pre the throw is of a cell: ball first, then a sphere or a plate at the origin
+inline PeerScene peer_scene(const Throw& t)
+{
+    const double radius = t.scene.spheres[0].radius;
+    if (t.scene.spheres.size() > 1) return {radius, Target::sphere, 2 * t.scene.spheres[1].radius, Vec3::UnitX()};
+    return {radius, Target::plate, t.scene.planes[0].thickness.value_or(0), t.scene.planes[0].normal};
+}
+
+/// Direction from the target to a centre [1].
+inline Vec3 outward(const PeerScene& scene, const Vec3& centre)
+{
+    if (scene.target == Target::sphere) return centre.normalized();
+    return scene.normal.dot(centre) < 0 ? Vec3(-scene.normal) : scene.normal;
+}
+
+/// \param first_contact (from, velocity, length): the time of contact within [0, length], if the library finds one
+template <class Query>
+Flown fly_in_steps(const Throw& t, double dt, std::int64_t steps, const PeerScene& scene, const Query& first_contact)
+{
+    Vec3 place = t.scene.spheres[0].position, velocity = t.scene.spheres[0].velocity;
+    Flown flown;
+    for (std::int64_t step = 0; step < steps; ++step) {
+        const Vec3 start = outward(scene, place);
+        double rest = dt;
+        // A throw has one contact: whoever has answered it is not asked again while the surfaces still overlap.
+        const bool closes = !flown.answered && velocity.dot(start) < 0;
+        const std::optional<double> contact = closes ? first_contact(place, velocity, dt) : std::nullopt;
+        if (contact) {
+            flown.answered = static_cast<double>(step) * dt + *contact;
+            place += *contact * velocity;
+            rest -= *contact;
+            // A plate is left on the side on which the step began; a sphere along the line of centres.
+            const Vec3 normal = scene.target == Target::sphere ? outward(scene, place) : start;
+            if (const double closing = velocity.dot(normal); closing < 0) velocity -= 2 * closing * normal;
+        }
+        place += rest * velocity;
+        if (step == 1) {  // the second of the two that are judged
+            flown.position = place;
+            flown.velocity = velocity;
+        }
+    }
+    flown.end_position = place;
+    flown.end_velocity = velocity;
+    return flown;
+}
+
+/// Why planes with one side are not thrown at: in FCL they crash, libccd knows bounded bodies only.
+inline std::string no_half_spaces(Target target)
+{
+    return target == Target::wall ? "has no half-space that works" : "";
+}
+
+}  // namespace carom::tunnel
