@@ -2,6 +2,7 @@
 /// Results as text for people.
 #pragma once
 
+#include "audit/report.hpp"
 #include "io/command_facts.hpp"
 #include "study/stress.hpp"
 
@@ -38,6 +39,9 @@ extern const char* const compare_legend;
 
 /// A comparison, one row a line, then what its columns mean, and the verdict.
 std::string compare_table(const Scene& scene, const Comparison& comparison);
+
+/// The audit of a trace: what was decided, and the first findings.
+std::string audit_table(const Scene& scene, const audit::TraceAudit& audit);
 
 /// Cases by methods, then each case with its rule and why methods fail it.
 std::string stress_table(const stress::Report& report);

@@ -37,6 +37,7 @@ ROOMS = {
     "scene": STAYS,
     "stepping": STAYS,
     "study": STAYS,
+    "audit": STAYS,
     "io": STAYS,
     "report": STAYS,
     "cli": STAYS,
