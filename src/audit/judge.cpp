@@ -94,6 +94,7 @@ bool Judge::enter(Waiting& waiting, const Answer& answer, const Interval& interv
             return true;
         case Verdict::missed:
             tell(FindingKind::missed);
+            inside_plates_.insert({touch.a, touch.b});
             break;
         case Verdict::found:
             ++report_.touches.found;
@@ -128,13 +129,18 @@ void Judge::hear_answers(const Interval& interval, const SeenFrame& from, const 
     }
 }
 
+bool Judge::is_known_miss(const Pair& pair)
+{
+    return waiting_.contains(pair) || inside_plates_.erase(pair) > 0;
+}
+
 void Judge::notice_sides(const Interval& interval, const SeenFrame& from, const SeenFrame& to)
 {
     for (std::size_t p = 0; p < scene_.planes.size(); ++p) {
         const Plane& plane = scene_.planes[p];
         for (std::size_t i = 0; i < to.places.size() && plane.thickness; ++i) {
             const Pair pair{static_cast<BodyId>(i), scene_.plane_body(p)};
-            if (is_behind(plane, from.places[i]) == is_behind(plane, to.places[i]) || waiting_.contains(pair)) continue;
+            if (is_behind(plane, from.places[i]) == is_behind(plane, to.places[i]) || is_known_miss(pair)) continue;
             // No flight has said so before: the time is that at which the straight way crosses the middle.
             const double above = plane.normal.dot(from.places[i]) - plane.offset;
             const double beyond = plane.offset - plane.normal.dot(to.places[i]);
@@ -232,6 +238,7 @@ void Judge::judge(const Interval& interval, const SeenFrame& from, const SeenFra
     hear_answers(interval, from, to, about);
     count_bodies(interval, about);
     for (Finding& each : overlaps_.look(from, to, interval.near)) keep(std::move(each));
+    std::erase_if(inside_plates_, [&, inside = overlaps_.pairs()](const Pair& pair) { return !inside.contains(pair); });
 }
 
 void Judge::finish()

@@ -34,6 +34,8 @@ private:
     void hear_answers(const Interval& interval, const SeenFrame& from, const SeenFrame& to, const Around& around);
     /// Enters what was answered. \return whether the touch goes on waiting
     bool enter(Waiting& waiting, const Answer& answer, const Interval& interval, const SeenFrame& to);
+    /// Whether a sphere that changes the side of a plate is told already, or will be.
+    bool is_known_miss(const Pair& pair);
     void notice_sides(const Interval& interval, const SeenFrame& from, const SeenFrame& to);
     void count_bodies(const Interval& interval, const Around& around);
     /// Whether a sphere has left its flight where nothing can have touched it.
@@ -48,6 +50,7 @@ private:
     TraceAudit report_;
     std::map<Pair, Waiting> waiting_;
     OverlapWatch overlaps_;
+    Pairs inside_plates_;              ///< of plates: missed, told, and not yet out on either side
     std::vector<double> told_until_;   ///< by sphere: when the last change that was told has surely been [time]
     std::vector<std::size_t> uneasy_;  ///< by sphere: intervals for which a contact before may still explain a change
     std::vector<char> told_;           ///< by sphere: its change in this interval was told

@@ -9,9 +9,9 @@ namespace carom::audit {
 /// Roundings [1] that an engine may add to a place within some frames, one a step: a few dozen steps a frame, and they
 /// seldom all go one way.
 inline constexpr double engine_roundings = 100;
-/// Rounding [1, part of a number] of double precision, 2^-53.
+/// Rounding [1, part of a number] of a double: half of the last of its 53 bits.
 inline constexpr double double_rounding = 0x1p-53;
-/// Rounding [1, part of a number] of single precision, 2^-24.
+/// Rounding [1, part of a number] of single precision: half of the last of its 24 bits.
 inline constexpr double single_rounding = 0x1p-24;
 /// Digits [1] up to which a number may be one of single precision: nine say each of them.
 inline constexpr int digits_of_single = 9;

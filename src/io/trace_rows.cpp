@@ -15,7 +15,7 @@ namespace carom::io {
 namespace {
 
 constexpr std::array<std::string_view, 5> column_names{"t", "id", "x", "y", "z"};
-constexpr std::size_t time_column = 0, id_column = 1, first_place_column = 2;
+enum Column : std::size_t { time_column, id_column, first_place_column };
 
 std::string_view trimmed(std::string_view text)
 {

@@ -73,6 +73,7 @@ NO_THRESHOLDS = [
     ("toi/quartic_gap.cpp", "Dyadic(0.25) * dot(a, a)", "coefficient of |a t^2 / 2|^2"),
     ("verify/pair_gap_accelerated.cpp", "0.25 * (std::max(0.0, x.curvature)", "height of an arc over its chord"),
     ("verify/plane_gap.cpp", "duration * duration / 8", "height of an arc over its chord"),
+    ("audit/touch.cpp", "duration * duration / 8", "height of an arc over its chord"),
     ("scene/fill.cpp", "four_thirds_pi", "volume of a ball"),
     ("scene/sphere_grid.cpp", "mantissa_bits = 52, exponent_mask = 0x7ff", "format of doubles"),
     ("motion/numeric_cluster.cpp", "h / 6", "weights of Runge and Kutta"),
