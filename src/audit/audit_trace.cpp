@@ -83,7 +83,7 @@ TraceAudit audit_trace(const Scene& scene, FrameSource& trace, const OnProgress&
     TraceAudit& report = judge.report();
     report.begin = report.end = windows.has_interval() ? windows.from().time : 0;
     report.frames = windows.has_interval() ? 1 : 0;
-    patience.begin("audit", 0, "frames");
+    patience.begin("audit", static_cast<double>(trace.count()), "frames");
     for (; windows.has_interval(); windows.advance()) {
         if (!patience.lasts(static_cast<double>(report.frames))) {
             report.whole = false;

@@ -6,6 +6,7 @@
 
 #include <carom/types.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace carom::audit {
@@ -20,6 +21,7 @@ class FrameSource {
 public:
     virtual ~FrameSource() = default;
     virtual const TraceRounding& rounding() const = 0;
+    virtual std::size_t count() const = 0;  ///< of all frames
     /// Puts the next frame into `frame`; false after the last one. \post times ascend, every place is finite
     virtual bool next(Frame& frame) = 0;
 };

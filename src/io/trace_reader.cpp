@@ -39,8 +39,10 @@ void check_fixed(const std::vector<Shift>& shifts, const Scene& scene, const aud
                               to_text(shifts[i].time) + " (is it the trace of this scene?)"});
 }
 
-/// What is unknown of the numbers of a file.
-audit::TraceRounding examined(const std::filesystem::path& file, const Scene& scene, const OnProgress& on_progress)
+}  // namespace
+
+TraceReader::Examined TraceReader::examined(const std::filesystem::path& file, const Scene& scene,
+                                            const OnProgress& on_progress)
 {
     TraceRows rows(file, scene);
     Patience patience(on_progress);
@@ -63,13 +65,11 @@ audit::TraceRounding examined(const std::filesystem::path& file, const Scene& sc
     // Frames at equal intervals are where they say, few digits or not; others may have been rounded to their digits.
     if (unevenness > rounding.time) rounding.time = std::max(rounding.time, rows.times().of(last));
     check_fixed(shifts, scene, rounding, file.string());
-    return rounding;
+    return {rounding, frames};
 }
 
-}  // namespace
-
 TraceReader::TraceReader(const std::filesystem::path& file, const Scene& scene, const OnProgress& on_progress)
-    : rounding_(examined(file, scene, on_progress)), rows_(file, scene)
+    : examined_(examined(file, scene, on_progress)), rows_(file, scene)
 {
 }
 

@@ -17,11 +17,18 @@ public:
     /// frames; Stopped
     TraceReader(const std::filesystem::path& file, const Scene& scene, const OnProgress& on_progress = {});
 
-    const audit::TraceRounding& rounding() const override { return rounding_; }
+    const audit::TraceRounding& rounding() const override { return examined_.rounding; }
+    std::size_t count() const override { return examined_.frames; }
     bool next(audit::Frame& frame) override { return rows_.next(frame); }
 
 private:
-    audit::TraceRounding rounding_;
+    struct Examined {
+        audit::TraceRounding rounding;
+        std::size_t frames = 0;
+    };
+    static Examined examined(const std::filesystem::path& file, const Scene& scene, const OnProgress& on_progress);
+
+    Examined examined_;
     TraceRows rows_;
 };
 

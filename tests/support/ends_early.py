@@ -134,6 +134,7 @@ def main():
             "check": (command("check", "cradle", gas, "--json"), "stopped"),
             "stress": (command("stress", "--json", "-o", out), "stopped"),
             "verify": (command("verify", recording, "--all-pairs", "--json"), "stopped"),
+            "audit": (command("audit", trace, "--scene", fluid, "--json", "-o", out), None),
             "report": (command("report", *[pages] * 20000, "--json", "-o", os.path.join(out, "all.html")), None),
         }
         print(f"{'':14}{'SIGINT: exit':>14}{'after':>10}{'limit: exit':>14}{'beyond':>10}")

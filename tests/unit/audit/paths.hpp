@@ -46,6 +46,7 @@ public:
 
     const audit::TraceRounding& rounding() const override { return rounding_; }
     audit::TraceRounding& rounding() { return rounding_; }
+    std::size_t count() const override { return frames.size(); }
     bool next(audit::Frame& frame) override
     {
         if (next_ == frames.size()) return false;
