@@ -11,6 +11,7 @@
 #include <ctime>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -125,7 +126,7 @@ void run(const Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-    std::cout.precision(17);
+    for (std::ostream* stream : {&std::cout, &std::cerr}) stream->precision(std::numeric_limits<double>::max_digits10);
     try {
         carom::peers::run(carom::peers::parsed(argc, argv));
         return 0;

@@ -33,8 +33,8 @@ public:
 /// Made by each engine's own file.
 std::unique_ptr<Engine> make_engine(const Scene& scene, const Settings& settings);
 
-/// The smaller restitution of two spheres, or of a sphere and a plane: carom's law, for engines that have one number
-/// for a body. Overrides of the scene for two materials are left out.
+/// Restitution of a material. Of two bodies in contact the smaller one holds, which engines must be told; overrides of
+/// the scene for two materials, and tangential factors, have no counterpart in them and are left out.
 double restitution_of(const Scene& scene, int material);
 
 }  // namespace carom::peers
