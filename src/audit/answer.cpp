@@ -53,6 +53,18 @@ bool are_apart(const Scene& scene, const Touch& touch, const SeenFrame& to)
     return gap(scene, touch.a, to.places[a], touch.b, is_sphere ? to.places[b] : Vec3::Zero()) > error;
 }
 
+/// Whether bodies that turned at `time` part as one impact makes them: along the normal of their touch, or along that
+/// of the overlap in which they turned. If they still approach, other contacts are hidden between the frames.
+bool part(const Scene& scene, const Touch& touch, const Party& a, const Party& b, double time)
+{
+    const Parabola before = relative(a.before, b.before), after = relative(*a.after, *b.after);
+    const auto parts_along = [&](const Vec3& normal) {
+        return after.velocity_at(time).dot(normal) >= -after.velocity_error;
+    };
+    const bool are_spheres = touch.b < static_cast<BodyId>(scene.spheres.size());
+    return parts_along(touch.normal) || (are_spheres && parts_along(before.place_at(time).normalized()));
+}
+
 /// The answer where at least one body has left its flight.
 Answer turned(const Scene& scene, const Touch& touch, const Interval& interval, const Around& around)
 {
@@ -68,7 +80,8 @@ Answer turned(const Scene& scene, const Touch& touch, const Interval& interval, 
     const std::optional<Turn> turn = turn_between(relative(a.before, b.before), relative(*a.after, *b.after));
     if (!turn || turn->change.dot(touch.normal) < answer_part * touch.approach_speed) return {Verdict::several};
     if (turn->time - turn->error > touch.latest || turn->time + turn->error < touch.earliest) {
-        if (!turn->is_single || !turn_together(a, b)) return {Verdict::several};
+        if (!turn->is_single || !turn_together(a, b) || !part(scene, touch, a, b, turn->time))
+            return {Verdict::several};
         const double delay = turn->time - touch.time;
         return if_alone({delay > 0 ? Verdict::late : Verdict::early, std::abs(delay), false, turn->time});
     }

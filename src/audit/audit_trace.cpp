@@ -22,7 +22,7 @@ bool is_start_of(const Scene& scene, const SeenFrame& frame, double time_error)
 /// The frames of a trace as they come into view and leave it.
 class Windows {
 public:
-    Windows(const Scene& scene, FrameSource& trace) : trace_(trace), fastest_(scene.spheres.size())
+    Windows(const Scene& scene, FrameSource& trace) : scene_(scene), trace_(trace), fastest_(scene.spheres.size())
     {
         while (frames_.size() < fitted_frames + 1 && take()) {
         }
@@ -52,7 +52,8 @@ private:
         if (!trace_.next(frame)) return false;
         SeenFrame seen{frame.time, std::move(frame.places), {}};
         seen.errors.reserve(seen.places.size());
-        for (const Vec3& place : seen.places) seen.errors.push_back(trace_.rounding().place_error(place));
+        for (std::size_t i = 0; i < seen.places.size(); ++i)
+            seen.errors.push_back(trace_.rounding().place_error(seen.places[i], scene_.spheres[i].radius));
         for (const double error : seen.errors) largest_error_ = std::max(largest_error_, error);
         if (!frames_.empty()) note_speeds(frames_.back(), seen);
         frames_.push_back(std::move(seen));
@@ -65,6 +66,7 @@ private:
             fastest_[i] = std::max(fastest_[i], (to.places[i] - from.places[i]).norm() / (to.time - from.time));
     }
 
+    const Scene& scene_;
     FrameSource& trace_;
     std::vector<double> fastest_;    ///< by sphere, as Window has it
     std::vector<SeenFrame> frames_;  ///< those of a window: some before the interval, as many behind it

@@ -46,11 +46,11 @@ double Rounding::of(double value) const
     return std::max(last, significant) / 2;
 }
 
-double TraceRounding::place_error(const Vec3& place) const
+double TraceRounding::place_error(const Vec3& place, double radius) const
 {
     const double largest = place.lpNorm<Eigen::Infinity>();
     const double unit = places.digits() <= digits_of_single ? single_rounding : double_rounding;
-    return std::sqrt(3.0) * (places.of(largest) + engine_roundings * unit * largest);
+    return std::sqrt(3.0) * (places.of(largest) + engine_roundings * unit * (largest + radius));
 }
 
 }  // namespace carom::audit

@@ -30,9 +30,10 @@ struct TraceRounding {
     Rounding places;
     double time = 0;  ///< of a frame, at most [time]
 
-    /// Bound on the distance of a body from where a frame shows it: printed digits, and roundings of an engine of
-    /// single precision where the digits may be those of one, else of double [length].
-    double place_error(const Vec3& place) const;
+    /// Bound on the distance of a sphere from where a frame shows it: half a unit of the last printed digit, and the
+    /// roundings of an engine of single precision where the digits may be those of one, else of double; engines reckon
+    /// with gaps and cells, so that they round what is as large as the sphere even where the place is near 0 [length].
+    double place_error(const Vec3& place, double radius) const;
 };
 
 }  // namespace carom::audit

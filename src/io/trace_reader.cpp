@@ -33,7 +33,7 @@ void check_fixed(const std::vector<Shift>& shifts, const Scene& scene, const aud
                  const std::string& file)
 {
     for (std::size_t i = 0; i < scene.spheres.size(); ++i)
-        if (shifts[i].distance > rounding.place_error(scene.spheres[i].position))
+        if (shifts[i].distance > rounding.place_error(scene.spheres[i].position, scene.spheres[i].radius))
             throw InputError({file + ": sphere " + quoted(scene.spheres[i].id) + " is fixed, but " +
                               to_text(shifts[i].distance, shift_digits) + " from its place in the frame t = " +
                               to_text(shifts[i].time) + " (is it the trace of this scene?)"});
