@@ -21,10 +21,10 @@ using GivenOptions = std::map<std::string, std::string>;
 struct RunArguments {
     std::string scene;
     GivenOptions given;  ///< method, dt, substeps, passes, order, integrator, literal, most_impacts, until, max_events,
-                         ///< max_seconds, kernel, certified, impact, guard, stiffness, hertz, damping_ratio
+                         ///< max_seconds, kernel, certified, impact, guard, stiffness, hertz, damping_ratio, frames
     bool always_final = false, allow_overlap = false;
     std::vector<std::string> set;  ///< "/pointer=value"
-    std::string out;               ///< folder for run.json; may be empty
+    std::string out;               ///< folder for run.json and frames.csv; may be empty
     std::string events;            ///< CSV file, or "-": stdout; may be empty
 };
 
@@ -71,6 +71,15 @@ struct VerifyArguments {
     bool all_pairs = false;  ///< without the grid
 };
 
+struct AuditArguments {
+    GivenOptions given;  ///< max_seconds
+    std::string trace;   ///< table t,id,x,y,z
+    std::string scene;
+    bool allow_overlap = false;
+    std::vector<std::string> set;  ///< "/pointer=value"
+    std::string out;               ///< folder for audit.json and the scenes of findings; may be empty
+};
+
 struct ReportArguments {
     GivenOptions given;  ///< max_seconds
     std::vector<std::string> folders;
@@ -85,7 +94,7 @@ struct ScenesArguments {
     std::vector<std::string> validate;  ///< scenes to validate; empty: the catalogue
 };
 
-enum class Command { run, compare, check, explain, stress, tunnel, verify, report, scenes, toi };
+enum class Command { run, compare, check, explain, stress, tunnel, verify, audit, report, scenes, toi };
 
 struct Arguments {
     GlobalArguments global;
@@ -97,6 +106,7 @@ struct Arguments {
     StressArguments stress;
     TunnelArguments tunnel;
     VerifyArguments verify;
+    AuditArguments audit;
     ReportArguments report;
     ScenesArguments scenes;
 };

@@ -215,9 +215,10 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
                          const std::string& file)
 {
     const Choices choices(args.given, scene.run, file + ": /run");
-    choices.expect_known({"method", "dt", "substeps", "passes", "order", "integrator", "literal", "most_impacts",
-                          "until", "max_events", "max_seconds", "final", "kernel", "certified", "impact", "guard",
-                          "stiffness", "hertz", "damping_ratio"});
+    choices.expect_known({"method",      "dt",        "substeps",     "passes",        "order",
+                          "integrator",  "literal",   "most_impacts", "until",         "max_events",
+                          "max_seconds", "final",     "kernel",       "certified",     "impact",
+                          "guard",       "stiffness", "hertz",        "damping_ratio", "frames"});
     StepOptions step = choices.step(global.seed.value_or(scene.seed));
     step.dt = choices.number("dt", step.dt);
     step.substeps = choices.integers("substeps", {step.substeps}).front();
@@ -241,6 +242,7 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
     settings.run.until = choices.number("until", scene.end_time);
     settings.run.max_events = choices.integer("max_events", settings.run.max_events);
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
+    if (choices.has("frames")) settings.frames = choices.number("frames", 0);
     return settings;
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,7 @@ private:
 struct RunSettings {
     Method method;
     RunOptions run;
+    std::optional<double> frames;                                  ///< > 0, in a unit of time [1/time]
     bool always_final = false;                                     ///< final states of many spheres, too
     double max_seconds = std::numeric_limits<double>::infinity();  ///< for the whole command [s]
 };

@@ -39,6 +39,8 @@ int dispatch(const Arguments& arguments, const Console& console)
             return do_tunnel(arguments.tunnel, arguments.global, console);
         case Command::verify:
             return do_verify(arguments.verify, arguments.global, console);
+        case Command::audit:
+            return do_audit(arguments.audit, arguments.global, console);
         case Command::report:
             return do_report(arguments.report, arguments.global, console);
         case Command::scenes:

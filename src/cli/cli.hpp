@@ -21,6 +21,7 @@ int do_explain(const ExplainArguments& args, const GlobalArguments& global, cons
 int do_stress(const StressArguments& args, const GlobalArguments& global, const Console& console);
 int do_tunnel(const TunnelArguments& args, const GlobalArguments& global, const Console& console);
 int do_verify(const VerifyArguments& args, const GlobalArguments& global, const Console& console);
+int do_audit(const AuditArguments& args, const GlobalArguments& global, const Console& console);
 int do_report(const ReportArguments& args, const GlobalArguments& global, const Console& console);
 int do_scenes(const ScenesArguments& args, const GlobalArguments& global, const Console& console);
 int do_toi(const Console& console);

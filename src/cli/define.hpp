@@ -15,7 +15,10 @@ void add_given(CLI::App& app, GivenOptions& given, const std::string& flag, cons
                const std::string& help);
 /// --max-seconds.
 void add_time_limit(CLI::App& app, GivenOptions& given);
+/// --allow-overlap and --set.
+void add_scene_options(CLI::App& app, bool& allow_overlap, std::vector<std::string>& set);
 
+void define_audit(CLI::App& app, AuditArguments& audit);
 void define_scenes(CLI::App& app, ScenesArguments& scenes);
 void define_toi(CLI::App& app);
 /// --allow-overlap, --set.

@@ -104,6 +104,8 @@ void define_run(CLI::App& app, RunArguments& run)
            "text of the same double, or all digits if it is none")
         ->type_name("FILE.csv");
     app.add_flag("--final", run.always_final, "Write final states of more than 1000 spheres too");
+    add_given(app, run.given, "--frames", "FPS",
+              "Write DIR/frames.csv (-o DIR): t,id,x,y,z of each sphere so many times per unit of time");
     add_scene_options(app, run.allow_overlap, run.set);
     app.add_option("-o,--out", run.out, "Write DIR/run.json and the recording DIR/run.carom")->type_name("DIR");
     app.footer(
@@ -112,6 +114,7 @@ void define_run(CLI::App& app, RunArguments& run)
         "  carom run bouncing_ball --method pbd --dt 1/240 --json\n"
         "  carom run gas_1000 --until 1 --events gas.csv -o out/gas\n"
         "  carom run cradle --impact lcp --guard off\n"
+        "  carom run gas_1000 --method pbd --frames 240 -o out/frames\n"
         "  carom run bouncing_ball --set /materials/rubber/restitution=0.5 --set /spheres/0/position=[0,0,2.1]\n"
         "Exit: 0 end reached, 1 run failed or unresolved, 2 usage, 3 bad scene, 5 a limit was reached, 130 "
         "interrupted.");
@@ -274,6 +277,8 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     define_tunnel(*tunnel, arguments.tunnel);
     CLI::App* verify = app.add_subcommand("verify", "Certificate of a recorded run");
     define_verify(*verify, arguments.verify);
+    CLI::App* audit = app.add_subcommand("audit", "Contacts missed, late, invented in the frames of any engine");
+    define_audit(*audit, arguments.audit);
     CLI::App* report = app.add_subcommand("report", "One self-contained page of one or more comparisons");
     define_report(*report, arguments.report);
     CLI::App* scenes = app.add_subcommand("scenes", "The catalogue of scenes");
@@ -285,7 +290,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
     const auto global_help = [](CLI::App* command) {
         command->footer(command->get_footer() + "\nEverywhere: --json, -q, -v, --no-progress, --seed N (see carom -h)");
     };
-    for (CLI::App* command : {run, compare, check, explain, stress, tunnel, verify, report, scenes, toi})
+    for (CLI::App* command : {run, compare, check, explain, stress, tunnel, verify, audit, report, scenes, toi})
         global_help(command);
 
     try {
@@ -304,6 +309,7 @@ ParseResult parse_arguments(const std::vector<std::string>& args)
                         : stress->parsed()  ? Command::stress
                         : tunnel->parsed()  ? Command::tunnel
                         : verify->parsed()  ? Command::verify
+                        : audit->parsed()   ? Command::audit
                         : report->parsed()  ? Command::report
                         : toi->parsed()     ? Command::toi
                                             : Command::scenes;

@@ -1,11 +1,13 @@
 #include "cli/choices.hpp"
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/limits.hpp"
 #include "cli/notes.hpp"
 #include "cli/response.hpp"
 #include "cli/session.hpp"
 #include "cli/tables.hpp"
 #include "io/events_csv.hpp"
+#include "io/frames_csv.hpp"
 #include "io/output_file.hpp"
 #include "io/run_json.hpp"
 
@@ -55,6 +57,39 @@ private:
 
     std::optional<io::OutputFile> file_;
     std::optional<io::EventsCsv> csv_;
+};
+
+/// Frames of a run at equal intervals, beside run.json.
+class FramesOutput {
+public:
+    FramesOutput(const std::filesystem::path& folder, const Scene& scene, double rate, double until)
+    {
+        if (folder.empty()) throw UsageError("run: --frames needs a folder for frames.csv (add -o DIR)");
+        if (rate * until > most_frames)
+            throw UsageError(
+                fmt::format("run: --frames {}: more than {} frames to t = {:.10g}", rate, most_frames, until));
+        for (double k = 0; k / rate <= until; ++k) times_.push_back(k / rate);
+        std::error_code ignored;  // then the file cannot be written, and says so
+        std::filesystem::create_directories(folder, ignored);
+        file_.emplace(folder / "frames.csv");
+        csv_.emplace(file_->stream(), scene);
+    }
+    const std::vector<double>& times() const { return times_; }
+    /// Writes the states if `time` is that of the next frame.
+    void look(double time, std::span<const BodyState> states)
+    {
+        if (next_ == times_.size() || time != times_[next_]) return;
+        csv_->write(time, states);
+        file_->check();
+        ++next_;
+    }
+    void close() { file_->close(); }
+
+private:
+    std::vector<double> times_;
+    std::size_t next_ = 0;
+    std::optional<io::OutputFile> file_;
+    std::optional<io::FramesCsv> csv_;
 };
 
 /// Flights and events of an event-driven run, beside run.json. Discrete methods have none.
@@ -108,6 +143,8 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
 
     std::optional<EventsOutput> events;
     if (!args.events.empty()) events.emplace(args.events, scene, settings.method, console);
+    std::optional<FramesOutput> frames;
+    if (settings.frames) frames.emplace(args.out, scene, *settings.frames, settings.run.until);
     std::unique_ptr<RecordingWriter> recording;
     if (!args.out.empty()) recording = make_recording(args.out, scene, settings, global.quiet, console);
     RunStudyOptions options;
@@ -121,11 +158,16 @@ int do_run(const RunArguments& args, const GlobalArguments& global, const Consol
         options.on_frame = [&](const RunFrame& frame) { recording->on_frame(frame); };
         options.on_flight = [&](const FlightRecord& flight) { recording->on_flight(flight); };
     }
+    if (frames) {
+        options.more_times = frames->times();
+        options.on_state = [&](double time, std::span<const BodyState> states) { frames->look(time, states); };
+    }
     options.on_progress = session.on_time("run", settings.run.until, scene);
     RunStudy run = run_study(scene, settings.method, options);
     session.progress.clear();
     session.watch.name_reason(run.outcome);
     if (events) events->close();
+    if (frames) frames->close();
     if (recording) recording->finish(run.outcome);
 
     const io::CommandFacts facts = session.watch.facts();

@@ -2,6 +2,7 @@
 /// Results as text for people.
 #pragma once
 
+#include "audit/report.hpp"
 #include "io/command_facts.hpp"
 #include "study/stress.hpp"
 #include "tunnel/study.hpp"
@@ -42,6 +43,9 @@ std::string compare_table(const Scene& scene, const Comparison& comparison);
 
 /// The matrix summed up by method and target, or each row where there are few; then critical speeds beside the law.
 std::string tunnel_table(const tunnel::Report& report);
+
+/// The audit of a trace: what was decided, and the first findings.
+std::string audit_table(const Scene& scene, const audit::TraceAudit& audit);
 
 /// Cases by methods, then each case with its rule and why methods fail it.
 std::string stress_table(const stress::Report& report);

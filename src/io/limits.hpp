@@ -43,6 +43,9 @@ inline constexpr std::size_t letters_per_slip = 3;
 /// Length [letters] of a string that a message quotes whole.
 inline constexpr std::size_t longest_quoted = 40;
 
+/// Digits [1] of a length in a message: more are noise there.
+inline constexpr int shift_digits = 6;
+
 // Scenes.
 
 /// Spheres [1] that fills may make in all: 20 million take 3 GB.

@@ -17,8 +17,9 @@ const std::vector<CommandOptions>& command_options()
 {
     static const std::vector<CommandOptions> options{
         {"run",
-         {"method", "dt", "substeps", "passes", "order", "integrator", "literal", "most_impacts", "until", "max_events",
-          "max_seconds", "final", "kernel", "certified", "impact", "guard", "stiffness", "hertz", "damping_ratio"},
+         {"method",       "dt",    "substeps",   "passes",      "order",         "integrator", "literal",
+          "most_impacts", "until", "max_events", "max_seconds", "final",         "kernel",     "certified",
+          "impact",       "guard", "stiffness",  "hertz",       "damping_ratio", "frames"},
          {"equilibrate"}},
         {"compare",
          {"methods", "dt", "substeps", "passes", "order", "integrator", "literal", "until", "repeats", "tolerance",

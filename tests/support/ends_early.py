@@ -121,6 +121,10 @@ def main():
                        stdout=subprocess.DEVNULL)
         subprocess.run(command("compare", "bouncing_ball", "--methods", "event", "-q", "-o", pages), check=True,
                        stdout=subprocess.DEVNULL)
+        traced = os.path.join(work, "traced")
+        subprocess.run(command("run", gas, "--until", "8", "--frames", "30", "-q", "-o", traced), check=True,
+                       stdout=subprocess.DEVNULL)
+        trace = os.path.join(traced, "frames.csv")
         # What a command does, whether it has a result when it is stopped, and how it says that it was stopped.
         tasks = {
             "read": (command("run", crowd, "--json"), None),
@@ -136,6 +140,7 @@ def main():
             "tunnel": (command("tunnel", "--trials", "100000", "--json", "-o", out), "stopped"),
             "tunnel scene": (command("tunnel", gas, "--trials", "1000000", "--json", "-o", out), "stopped"),
             "verify": (command("verify", recording, "--all-pairs", "--json"), "stopped"),
+            "audit": (command("audit", trace, "--scene", gas, "--json", "-o", out), None),
             "report": (command("report", *[pages] * 20000, "--json", "-o", os.path.join(out, "all.html")), None),
         }
         print(f"{'':14}{'SIGINT: exit':>14}{'after':>10}{'limit: exit':>14}{'beyond':>10}")

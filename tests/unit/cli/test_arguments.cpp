@@ -89,6 +89,7 @@ TEST_CASE("help and version succeed on stdout, at every level and with examples"
                                                                                       {"explain", "-h"},
                                                                                       {"stress", "-h"},
                                                                                       {"verify", "-h"},
+                                                                                      {"audit", "-h"},
                                                                                       {"scenes", "-h"},
                                                                                       {"scenes", "list", "-h"},
                                                                                       {"scenes", "show", "-h"}}) {
