@@ -109,8 +109,11 @@ public:
         const double mean = b - k_ * slope + a_ * a_;
         const double d = difference_of_products(mean, mean, 4 * k_ * b, -slope);
         const double s = -2 * slope / (mean + std::sqrt(std::max(d, 0.0)));
-        // Beyond, what is left of the way is rounding.
-        return k_ * s < 1 ? time_of_way(k_, s) : -logarithm(least_rest_of_way) / k_;
+        if (k_ * s < logarithm_near_1) return time_of_way(k_, s);
+        // Of s too little is left there. In E = 1 - k s: k K' = a^2 + a.c E - b E^2.
+        const double ac = m_.a.dot(c), root = std::sqrt(ac * ac + 4 * (a_ * a_ * b));
+        const double left = ac > 0 ? (ac + root) / (2 * b) : 2 * a_ * a_ / (root - ac);
+        return -logarithm(left) / k_;
     }
 
     double time_of_growth(double from) const

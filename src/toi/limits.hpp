@@ -14,7 +14,4 @@ inline constexpr double damped_height_rounding = 12 * unit_roundoff;
 /// |v| + q |a|, so that p.p is by 18 u reach |p|, squares and sums add 4; w is off by 8 u of the speed; 22 counted.
 inline constexpr double damped_gap_rounding = 32 * unit_roundoff;
 
-/// Part [1] of the way 1/k that a double next to 1 leaves.
-inline constexpr double least_rest_of_way = unit_roundoff;
-
 }  // namespace carom

@@ -4,6 +4,8 @@
 
 #include "make_sphere.hpp"
 
+#include <carom/study.hpp>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -82,4 +84,34 @@ TEST_CASE("the work of drag is added up over flights, bodies and the flights und
     CHECK(work.taken(2) == Approx(first + damped_energy(frame, bounced, 0.75) + 3 * damped_energy(frame, b, 2)));
     // A ball that drag alone slows keeps exp(-2 k t) of its energy.
     CHECK(damped_energy(frame, flight_with({2, 0, 0}, Vec3::Zero()), 4) == Approx(2 - 2 * std::exp(-2.0)));
+}
+
+TEST_CASE("an event-driven run with drag keeps its books to rounding, and a discrete one has none", "[drag_work]")
+{
+    Scene scene;
+    scene.gravity = Vec3(0, 0, -9.81);
+    scene.drag = 0.4;
+    scene.end_time = 3;
+    scene.materials = {{"ivory", 1, 1, ""}};
+    scene.planes.emplace_back();
+    scene.planes.back().id = "floor";
+    for (int i = 0; i < 4; ++i) {
+        scene.spheres.push_back(make_sphere("s" + std::to_string(i), 0.1, Vec3(0.3 * i, 0.01 * i, 0.5 + 0.3 * i)));
+        scene.spheres.back().velocity = Vec3(1 - 0.7 * i, 0, 1);
+    }
+    const RunStudy run = run_study(scene, EventDriven{});
+    CHECK(run.outcome.counts.impacts > 10);
+    REQUIRE(run.drag_energy);
+    CHECK(*run.drag_energy > 1);
+    CHECK(run.initial_energy - run.final_energy == Approx(*run.drag_energy).epsilon(1e-12));
+    REQUIRE(run.max_relative_drift);
+    CHECK(*run.max_relative_drift < 1e-13);
+    CHECK(run.max_energy_change > 1);
+    StepOptions step;
+    step.dt = 1e-3;
+    const RunStudy stepped = run_study(scene, make_method("velocity", step));
+    CHECK_FALSE(stepped.drag_energy);
+    CHECK_FALSE(stepped.max_relative_drift);
+    scene.drag = 0;
+    CHECK(run_study(scene, make_method("velocity", step)).drag_energy == 0);
 }

@@ -340,6 +340,24 @@ TEST_CASE("a curved path that grazes a sphere by one part in 1e13 is a hit, and 
     CHECK(misses > 1000);
 }
 
+TEST_CASE("accelerations that differ by rounding alone hide no contact, however late they would turn the path")
+{
+    // Two spheres that lie in a groove, one faster than the other: k v is 1e12 times the difference.
+    Random random(6);
+    for (int i = 0; i < 20000; ++i) {
+        const double contact = 0.9, k = random.log_uniform(1e-3, 10);
+        const Vec3 direction = random.direction();
+        const Vec3 r = random.uniform(1, 3) * direction, v = -random.uniform(k * 4, k * 8) * direction;
+        const Vec3 a = k * k * random.log_uniform(1e-18, 1e-12) * random.direction();
+        const Root straight = damped_sphere_sphere_root({r, v, Vec3::Zero(), contact}, k);
+        const Root curved = damped_sphere_sphere_root({r, v, a, contact}, k);
+        CAPTURE(i, k, a.norm());
+        REQUIRE(straight.kind == RootKind::impact);
+        REQUIRE(curved.kind == RootKind::impact);
+        CHECK(curved.t == Approx(straight.t).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("weak drag gives the times of parabolas")
 {
     Random random(5);
