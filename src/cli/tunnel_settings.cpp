@@ -52,6 +52,20 @@ std::vector<Integrator> integrators_of(const Scene& scene)
     return {Integrator::euler, Integrator::parabola};
 }
 
+void add_peer(const tunnel::Peers& peers, const std::string& name, bool has_scene, TunnelSettings& settings)
+{
+    const std::string why = has_scene ? "collision libraries are thrown with in the matrix only" : peers.absent;
+    if (!why.empty()) {
+        settings.absent.push_back({name, why});
+        return;
+    }
+    for (const tunnel::Contestant& who : peers.contestants)
+        if (who.method == name) settings.contestants.push_back(who);
+    const std::vector<tunnel::Target>& targets = settings.matrix.targets;
+    if (std::find(targets.begin(), targets.end(), tunnel::Target::wall) != targets.end())
+        settings.absent.push_back({name + " at walls", peers.no_walls});
+}
+
 void add_methods(const Choices& choices, const Scene& scene, bool has_scene, TunnelSettings& settings)
 {
     std::vector<std::string> known = method_names();
@@ -72,16 +86,10 @@ void add_methods(const Choices& choices, const Scene& scene, bool has_scene, Tun
             if (settings.contestants.back().is_exact) break;
         }
     }
+    if (has_scene && !choices.has("methods")) return;  // nobody asked for libraries
     for (const tunnel::Peers& each : peers)
-        for (const std::string& name : each.names) {
-            if (!contains(wanted, name)) continue;
-            if (has_scene && !choices.has("methods")) continue;  // nobody asked for them
-            const std::string why = has_scene ? "collision libraries are thrown with in the matrix only" : each.absent;
-            if (!why.empty()) settings.absent.push_back({name, why});
-            if (why.empty())
-                std::copy_if(each.contestants.begin(), each.contestants.end(), std::back_inserter(settings.contestants),
-                             [&](const tunnel::Contestant& who) { return who.method == name; });
-        }
+        for (const std::string& name : each.names)
+            if (contains(wanted, name)) add_peer(each, name, has_scene, settings);
 }
 
 }  // namespace

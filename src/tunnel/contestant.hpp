@@ -29,10 +29,9 @@ struct Contestant {
     /// Law of the method: a look in the way of the ball within so many chords (the way from the contact to the middle
     /// of the target) sees it. None: no law is known; infinite: it never misses.
     std::optional<double> chords_seen;
-    /// Moves the body of a throw by at least three steps of dt. \param targets of which it is used: see `can`
+    bool knows_walls = true;  ///< false: it is put to plates and spheres alone
+    /// Moves the body of a throw by so many steps of dt, three at least.
     std::function<Flown(const Throw&, double dt, std::int64_t steps)> fly;
-    /// Why it cannot throw at a target, for people; empty or returns "" where it can.
-    std::function<std::string(Target)> cannot;
 };
 
 /// A method of carom. \param options of steppers: integrator, seed

@@ -58,7 +58,7 @@ void run_matrix(const Matrix& matrix, const std::vector<Contestant>& contestants
         patience.name(who.method);
         for (const Cell& cell : cells) {
             if (!patience.lasts(static_cast<double>(done++))) break;
-            if (who.cannot && !who.cannot(cell.target).empty()) continue;
+            if (cell.target == Target::wall && !who.knows_walls) continue;
             CellThrows throws(cell);
             Tally tally(who, cell);
             for (const Aim& aim : aims_of(matrix, cell)) {

@@ -79,7 +79,7 @@ void add(Peers& peers, const char* name, fcl::CCDSolverType solver, std::optiona
         who.method = name;
         who.variant = setting.variant;
         who.chords_seen = chords;
-        who.cannot = no_half_spaces;
+        who.knows_walls = false;
         who.fly = [request, path = setting.path](const Throw& t, double dt, std::int64_t steps) {
             return fly(t, dt, steps, request, path);
         };
@@ -95,6 +95,7 @@ Peers fcl_peers()
     // the middle: two chords for each of nine parts of a step.
     constexpr double parts = 9;
     Peers peers;
+    peers.no_walls = "FCL's half-spaces crash";
     add(peers, "fcl_naive", fcl::CCDC_NAIVE, 2 * parts);
     add(peers, "fcl_advancement", fcl::CCDC_CONSERVATIVE_ADVANCEMENT, std::numeric_limits<double>::infinity());
     return peers;

@@ -124,9 +124,9 @@ Peers libccd_peers()
     who.method = "libccd_advancement";
     who.variant = "MPR";
     who.chords_seen = std::numeric_limits<double>::infinity();
-    who.cannot = no_half_spaces;
+    who.knows_walls = false;
     who.fly = fly;
-    return {{who.method}, {who}, ""};
+    return {{who.method}, {who}, "", "libccd knows bounded bodies only"};
 }
 
 }  // namespace carom::tunnel

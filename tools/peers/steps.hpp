@@ -64,10 +64,4 @@ Flown fly_in_steps(const Throw& t, double dt, std::int64_t steps, const PeerScen
     return flown;
 }
 
-/// Why planes with one side are not thrown at: in FCL they crash, libccd knows bounded bodies only.
-inline std::string no_half_spaces(Target target)
-{
-    return target == Target::wall ? "has no half-space that works" : "";
-}
-
 }  // namespace carom::tunnel
