@@ -60,6 +60,17 @@ TEST_CASE("frames of the event method have nothing missed and nothing invented, 
     }
 }
 
+TEST_CASE("places near 0 and bounces between frames give no findings", "[audit]")
+{
+    // A sphere whose steps are of 1e-9 beside its radius of 1, and a slot that is crossed a thousand times a frame.
+    const Folder folder;
+    for (const char* scene : {"grazing", "grazing_touch", "slot"}) {
+        CAPTURE(scene);
+        REQUIRE(carom_tool({"run", scene, "--frames", "997", "-o", folder.path.string(), "-q"}).code == exit_ok);
+        CHECK(audited(folder.path / "frames.csv", scene, exit_ok)["findings"].empty());
+    }
+}
+
 TEST_CASE("Bullet as it comes is shown to miss a thin plate at 1000 m/s", "[audit]")
 {
     const Folder folder;
