@@ -2,8 +2,6 @@
 # library carom_peers, which the command line links and the core never sees; without a library a file that says so is
 # compiled in its place.
 
-option(CAROM_PEERS "Put FCL and libccd to the test in carom tunnel, where they are found" ON)
-
 set(carom_peer_sources)
 set(carom_peer_libraries)
 foreach(peer IN ITEMS fcl ccd)

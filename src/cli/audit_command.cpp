@@ -6,6 +6,7 @@
 #include "io/audit_files.hpp"
 #include "io/trace_reader.hpp"
 
+#include <carom/error.hpp>
 #include <carom/io.hpp>
 
 #include <fmt/format.h>
@@ -37,6 +38,9 @@ int do_audit(const AuditArguments& args, const GlobalArguments& global, const Co
     Session session(args.given, global, console);
     const std::filesystem::path file = find_scene(args.scene, scene_folder());
     const Scene scene = session.read(file, args.allow_overlap, args.set);
+    if (scene.drag > 0)
+        throw InputError({file.string() + ": /drag: the audit follows parabolas, and knows no drag (compare frames of "
+                                          "scenes without it)"});
     const audit::TraceAudit audit = audited(args, scene, session);
     const io::CommandFacts facts = session.watch.facts();
     const std::string json = io::audit_json(scene, args.trace, audit, facts);

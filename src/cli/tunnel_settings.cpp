@@ -48,7 +48,7 @@ tunnel::Matrix matrix_of(const Choices& choices)
 /// Motions between contacts: both where they differ.
 std::vector<Integrator> integrators_of(const Scene& scene)
 {
-    if (scene.gravity.isZero(0)) return {Integrator::euler};
+    if (scene.gravity.isZero(0) && scene.drag == 0) return {Integrator::euler};
     return {Integrator::euler, Integrator::parabola};
 }
 

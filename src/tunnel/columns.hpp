@@ -68,7 +68,7 @@ inline constexpr std::array<Column<Row>, 19> row_columns{{
      share_cell<&study::Share::low>},
     {"share_high", study::ColumnUnit::none, "Upper end of it.", share_cell<&study::Share::high>},
     {"law", study::ColumnUnit::none,
-     "Share by the law; none for methods without one, and in scenes where gravity bends the way or the other body "
+     "Share by the law; none for methods without one, and in scenes with gravity or drag, or where the other body "
      "moves.",
      [](const Row& r) { return study::as_cell(r.law); }},
     {"example_phase", study::ColumnUnit::none,

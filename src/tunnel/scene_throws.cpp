@@ -119,7 +119,7 @@ double SceneThrows::closing_steps(double dt) const
 std::optional<double> SceneThrows::seen_of_a_step(double dt) const
 {
     const study::TruthContact& contact = truth_.contacts[contact_];
-    if (!scene_.gravity.isZero(0) || movable_of(scene_, contact).size() > 1) return {};
+    if (!scene_.gravity.isZero(0) || scene_.drag > 0 || movable_of(scene_, contact).size() > 1) return {};
     const study::TruthState at = truth_.state_before(body_, contact.time);
     const auto partner = static_cast<std::size_t>(contact.a == body_ ? contact.b : contact.a);
     const double way = at.velocity.norm() * dt;

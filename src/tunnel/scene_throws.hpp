@@ -24,8 +24,8 @@ public:
     /// \pre has_contact(); so below
     Cell cell(double dt) const;
     /// Part of the way of a step in which the body can be seen: from the contact on to the middle of a plate, or to
-    /// where it is nearest to the middle of a sphere; infinite at a wall. None where gravity bends the way, or the
-    /// other body moves.
+    /// where it is nearest to the middle of a sphere; infinite at a wall. None where gravity or drag changes the
+    /// velocity, or the other body moves.
     std::optional<double> seen_of_a_step(double dt) const;
     /// Makes `current` the throw at this phase. False where a body has another contact within the steps, or overlaps at
     /// the begin: then nobody could say which answer belongs to the contact.

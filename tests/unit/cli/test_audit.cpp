@@ -135,3 +135,10 @@ TEST_CASE("frames need a folder and a rate, and come from discrete methods as we
               found["invented"].get<int>() >
           0);
 }
+
+TEST_CASE("a scene with drag is refused, for its flights are no parabolas", "[cli]")
+{
+    const Said said = carom_tool({"audit", (traces / "bullet_thin_plate.csv").string(), "--scene", "viscous_throw"});
+    CHECK(said.code == exit_bad_input);
+    CHECK_THAT(said.err, Contains("viscous_throw.json: /drag: "));
+}
