@@ -17,13 +17,12 @@ namespace carom::stepping {
 /// With Integrator::euler the two are the same, p += h v, after v += h (g - k v).
 ///
 /// With Integrator::parabola flight is p += h v + h^2 g / 2, which is h times the mean of the velocities at both ends.
-/// With drag k it is p += s v + q g, v += s (g - k v) (damped_times.hpp), which is as exact, and the mean is that with
-/// weights 1 - w and w = q / (s h), without drag 1/2 each.
-/// Contacts in between make the end v_end differ from v + h g:
-/// - `move_pushed` takes the change for that of a force that lasts all the substep: p += h (v + v_end) / 2, or with the
-/// weights. What rests
-///   (v = v_end = 0) stays, what slides on a plane slides on an exact parabola. A bounce must not be among the changes:
-///   the mean of the velocities before and after it is none that the sphere ever had. It belongs before `accelerate`.
+/// With drag k it is p += s v + q g, v += s (g - k v) (damped_times.hpp), as exact, and the mean has weights 1 - w and
+/// w = q / (s h), which are 1/2 each without drag. Contacts in between make the end v_end differ from that of flight:
+/// - `move_pushed` takes the change for that of a force that lasts all the substep: p += h times the mean of v and
+///   v_end. What rests (v = v_end = 0) stays, what slides on a plane slides on an exact parabola. A bounce must not be
+///   among the changes: the mean of the velocities before and after it is none that the sphere ever had. It belongs
+///   before `accelerate`.
 /// - `move_struck` takes it for that of impulses at the beginning: p += h v_end for those that got one, so that a gap
 ///   that was to shrink at v_end shrinks by h v_end, and what rests stays. What slides loses the bend of its path,
 ///   h^2 g / 2 a substep.

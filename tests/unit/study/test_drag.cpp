@@ -136,14 +136,22 @@ TEST_CASE("a comparison with drag has exact rows for what is exact, and the erro
 
     const CompareRow& euler = row_of(comparison, "toi", Integrator::euler);
     CHECK(*euler.position_max > 1e-3);
-    const auto fitted =
-        std::find_if(comparison.convergence.begin(), comparison.convergence.end(),
-                     [](const Convergence& each) { return each.method == "toi" && each.variant.empty(); });
-    REQUIRE(fitted != comparison.convergence.end());
-    CHECK(fitted->order == Approx(1).margin(0.15));
-
     // The energy of the reference falls by the work of drag: what a method is blamed for is the distance to it.
     const CompareRow& pbd = row_of(comparison, "pbd", Integrator::euler);
     CHECK(*pbd.energy_error > 1e-3);
     CHECK(event.series.energy.front() - event.series.energy.back() > 1);
+}
+
+TEST_CASE("a comparison says that euler is of first order in flight under drag", "[drag]")
+{
+    const Scene scene = viscous_bounces();
+    CompareOptions options;
+    options.methods = {"toi"};
+    options.dt = {1.0 / 60, 1.0 / 120, 1.0 / 240};
+    options.until = 0.4;  // before the first impact: at one the error depends on the phase of the step
+    options.repeats = 1;
+    const Comparison comparison = compare_methods(scene, options);
+    CHECK(comparison.reference.impacts == 0);
+    REQUIRE(comparison.convergence.size() == 1);
+    CHECK(comparison.convergence[0].order == Approx(1).margin(0.03));
 }
