@@ -95,8 +95,9 @@ TEST_CASE("an event-driven run with drag keeps its books to rounding, and a disc
     scene.materials = {{"ivory", 1, 1, ""}};
     scene.planes.emplace_back();
     scene.planes.back().id = "floor";
+    const char* const names[] = {"a", "b", "c", "d"};
     for (int i = 0; i < 4; ++i) {
-        scene.spheres.push_back(make_sphere("s" + std::to_string(i), 0.1, Vec3(0.3 * i, 0.01 * i, 0.5 + 0.3 * i)));
+        scene.spheres.push_back(make_sphere(names[i], 0.1, Vec3(0.3 * i, 0.01 * i, 0.5 + 0.3 * i)));
         scene.spheres.back().velocity = Vec3(1 - 0.7 * i, 0, 1);
     }
     const RunStudy run = run_study(scene, EventDriven{});
