@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 using namespace carom;
@@ -53,9 +54,12 @@ TEST_CASE("scenes whose recordings were refused once hold")
 
 TEST_CASE("recordings of generated scenes hold under drag, too")
 {
-    for (std::uint64_t index = 0; index < 16; ++index) {
+    std::vector<std::uint64_t> indices(16);
+    std::iota(indices.begin(), indices.end(), 0);
+    indices.push_back(74);  // two spheres in a groove, whose accelerations differ by a rounding, met unseen
+    for (const std::uint64_t index : indices) {
         GeneratedScene drawn = generate_scene(7, index);
-        Random random(index);
+        Random random(77 * index);
         drawn.scene.drag = random.log_uniform(1e-3, 10);
         RunOptions options;
         options.max_events = 20'000;
