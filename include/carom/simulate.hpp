@@ -85,7 +85,8 @@ struct EnergyTaken {
     double capped = 0;       ///< impacts whose operator met its bound, with what e < 1 takes
 };
 
-/// A sphere alone on another one that a threshold brought to rest, for more than a million bounces were to come.
+/// A sphere alone on another one, or under drag on a plane, that a threshold brought to rest, for more than a million
+/// bounces were to come.
 struct EarlyRest {
     BodyId body = no_body;
     double time = 0;  ///< by which it rests too early, at most [time]

@@ -60,7 +60,9 @@ Real time_of_way(double k, Real s)
 inline double turning_time(double k, double w, double g)
 {
     const double ratio = k * w / g;
-    return ratio <= 1 ? time_of_way(k, w / (g + k * w)) : logarithm(1 + ratio) / k;
+    if (ratio <= 1) return time_of_way(k, w / (g + k * w));
+    // Weak gravity may make the ratio larger than doubles are.
+    return (std::isfinite(ratio) ? logarithm(1 + ratio) : logarithm(k * w) - logarithm(g)) / k;
 }
 
 }  // namespace carom

@@ -17,7 +17,7 @@ int main(int argc, char** argv)
                 method.certified = certified;
                 carom::RunOptions options;
                 if (certified && scene.drag > 0) continue;  // refused
-                if (certified) options.max_events = 3000;  // what a build without optimisation can do
+                if (certified) options.max_events = 3000;   // what a build without optimisation can do
                 const carom::Outcome run = carom::simulate(scene, method, options);
                 std::printf("%s%s %s %" PRId64 " impacts %016" PRIx64 "\n", scene.name.c_str(),
                             certified ? ", certified" : "", carom::name(run.status), run.counts.impacts,

@@ -267,6 +267,21 @@ TEST_CASE("heaps come to rest under drag, whatever the rest policy and the impac
         }
 }
 
+TEST_CASE("windows of the guard are damped, whatever its fallback", "[drag]")
+{
+    for (const GuardFallback fallback : {GuardFallback::moreau, GuardFallback::pbd, GuardFallback::velocity}) {
+        Scene scene = damped(shaft(3, 12, 1.5), 2);
+        scene.guard.impacts = 2;
+        scene.guard.fallback = fallback;
+        const Outcome out = record(scene).outcome;
+        CAPTURE(static_cast<int>(fallback), out.message);
+        REQUIRE(out.status == Status::reached_end);
+        CHECK(out.counts.guarded > 0);
+        CHECK(out.max_penetration < 1e-8);
+        CHECK(hash_of(scene, BroadPhase::all_pairs) == hash_of(scene, BroadPhase::cell_grid));
+    }
+}
+
 TEST_CASE("a ball that rolls off a fixed one under drag follows the equation of its angle", "[drag]")
 {
     const double k = 1.5, angle = 0.2;

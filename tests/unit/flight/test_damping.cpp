@@ -89,4 +89,5 @@ TEST_CASE("the time at which a speed is used up is right for weak and strong acc
     }
     CAPTURE(worst);
     CHECK(worst < 10);
+    CHECK(turning_time(2, 1e10, 1e-300) == Approx((std::log(2.0) + 310 * std::log(10.0)) / 2));
 }

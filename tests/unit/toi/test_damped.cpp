@@ -76,7 +76,7 @@ std::optional<Real> exact_answer(const Throw& x)
     return root_between(x, from, to);
 }
 
-Real3<Real> place(const AcceleratedMotion& m, const Law& d)
+Real3<Real> place_at(const AcceleratedMotion& m, const Law& d)
 {
     const Real3<Real> r = lift<Real>(m.r), v = lift<Real>(m.v), a = lift<Real>(m.a);
     Real3<Real> p;
@@ -85,7 +85,7 @@ Real3<Real> place(const AcceleratedMotion& m, const Law& d)
 }
 Real gap(const AcceleratedMotion& m, double k, const Real& t)
 {
-    const Real3<Real> p = place(m, law(k, t));
+    const Real3<Real> p = place_at(m, law(k, t));
     return sqrt(dot(p, p)) - m.contact_distance;
 }
 
@@ -296,6 +296,48 @@ TEST_CASE("of 100,000 throws at a sphere that does not fall with them none is mi
     CHECK(late == 0);
     CHECK(impacts > 10000);
     CHECK(worst < 10);
+}
+
+TEST_CASE("a curved path that grazes a sphere by one part in 1e13 is a hit, and one that clears it by that is none")
+{
+    Random random(6);
+    int hits = 0, misses = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3 place = random.uniform(2, 6) * random.direction();
+        AcceleratedMotion m{place, random.uniform(1, 6) * (-place.normalized() + 0.4 * random.direction()),
+                            random.uniform(0.1, 10) * random.direction(), 0};
+        const double k = random.log_uniform(1e-6, 10);
+        // The first least distance: where it begins to grow, then Newton's method on the rate p.w in 60 digits.
+        Real t = 0;
+        const auto rate = [&](const Real& time, Real& slope) {
+            const Law d = law(k, time);
+            const Real3<Real> x = place_at(m, d), v = lift<Real>(m.v), a = lift<Real>(m.a);
+            Real3<Real> w, bend;
+            for (std::size_t c = 0; c < 3; ++c) {
+                w[c] = d.decay * v[c] + d.way * a[c];
+                bend[c] = a[c] - k * w[c];
+            }
+            slope = dot(w, w) + dot(x, bend);
+            return dot(x, w);
+        };
+        Real slope;
+        while (t < 4 && rate(t, slope) < 0) t += Real(1) / 64;
+        if (t == 0 || t >= 4) continue;
+        for (int n = 0; n < 12; ++n) t -= rate(t, slope) / slope;
+        const Real3<Real> nearest = place_at(m, law(k, t));
+        const Real least = sqrt(dot(nearest, nearest));
+        if (rate(t, slope) > Real(1e-40) || slope <= 0 || t <= 0 || least < 0.05) continue;
+        for (const double by : {1e-13, -1e-13}) {
+            m.contact_distance = Real(least * (1 + Real(by))).convert_to<double>();
+            const Root root = damped_sphere_sphere_root(m, k);
+            const bool now = root.kind == RootKind::impact && root.t < t;
+            CAPTURE(i, k, by);
+            CHECK(now == (by > 0));
+            ++(by > 0 ? hits : misses);
+        }
+    }
+    CHECK(hits > 1000);
+    CHECK(misses > 1000);
 }
 
 TEST_CASE("weak drag gives the times of parabolas")
