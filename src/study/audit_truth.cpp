@@ -138,7 +138,12 @@ TruthState TruthRecorder::seen(BodyId body, double time, bool before) const
 void TruthRecorder::finish(double until)
 {
     truth_.until = until;
-    for (std::size_t i = 0; i < scene_.spheres.size(); ++i) end_series(static_cast<BodyId>(i), until);
+    for (std::size_t i = 0; i < scene_.spheres.size(); ++i) {
+        end_series(static_cast<BodyId>(i), until);
+        // A run that is refused shows no flight: what is known of a body is its start, and nobody is asked about it.
+        const Sphere& sphere = scene_.spheres[i];
+        if (truth_.flights[i].empty()) truth_.flights[i] = {{0, sphere.position, sphere.velocity, Vec3::Zero(), false}};
+    }
     for (std::size_t k = 0; k < impacts_.size(); ++k) {
         TruthContact& contact = impacts_[k];
         const Vec3 before = seen(contact.a, contact.time, true).velocity - seen(contact.b, contact.time, true).velocity;

@@ -197,6 +197,19 @@ TEST_CASE("the truth has the states that the run shows, in the midst of a series
     CHECK(k > 12);  // v_c is 0.0044, the first impact 2.8: 18 bounces
 }
 
+TEST_CASE("where the event method refuses a scene nobody is asked about anything", "[audit]")
+{
+    Scene scene = bouncing();
+    scene.gravity = Vec3(0, 0, -1e200);  // beyond the range that it takes
+    StepOptions step;
+    step.dt = 0.01;
+    Auditor auditor(scene, scene.end_time, step.dt, {});
+    Patience patience;
+    const Audit audit = auditor.audit(make_method("pbd", step), patience);
+    CHECK(audit.audited == 0);
+    CHECK(audit.looked_at == 0);
+}
+
 TEST_CASE("who has two contacts within two steps is crowded, and a case has only those who may come near", "[audit]")
 {
     Scene scene;
