@@ -35,8 +35,9 @@ public:
         return ++recent.count >= recent.next;
     }
 
-    /// Number of bodies from which on a component cannot have had too many, for all bodies together have not had more.
-    std::size_t enough() const { return static_cast<std::size_t>(all_.count / bound_) + 1; }
+    /// Number of bodies from which on a component cannot have had too many, for all bodies together have not had more;
+    /// of a heap at least.
+    std::size_t enough() const { return std::max(largest_group, static_cast<std::size_t>(all_.count / bound_)) + 1; }
 
     /// Whether these bodies together have had more than B events a body within the window. From then until its end each
     /// further event is one too many. \pre add has just asked for one of them
