@@ -26,6 +26,15 @@ public:
         return std::any_of(spheres_.begin(), spheres_.end(), loses) ||
                std::any_of(planes_.begin(), planes_.end(), loses);
     }
+    /// The largest restitution of all that is at most this one; 0 if none is.
+    double restitution_up_to(double most) const
+    {
+        double largest = 0;
+        for (const auto* laws : {&spheres_, &planes_})
+            for (const ContactLaw& law : *laws)
+                if (law.restitution <= most) largest = std::max(largest, law.restitution);
+        return largest;
+    }
     const ContactLaw& spheres(int a, int b) const { return spheres_[index(a, b)]; }
     const ContactLaw& plane(int sphere, int plane) const { return planes_[index(sphere, plane)]; }
 

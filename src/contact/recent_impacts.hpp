@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 
 namespace carom {
@@ -19,11 +20,15 @@ public:
     {
     }
 
-    bool has(BodyId a, BodyId b, const EpochTime& now) const
+    /// The time since the contact closed last, if that is less than the window [time].
+    std::optional<double> since(BodyId a, BodyId b, const EpochTime& now) const
     {
         const auto found = last_.find(pair(a, b));
-        return found != last_.end() && frame_.between(found->second, now) < window_;
+        if (found == last_.end()) return {};
+        const double time = frame_.between(found->second, now);
+        return time < window_ ? std::optional(time) : std::nullopt;
     }
+    bool has(BodyId a, BodyId b, const EpochTime& now) const { return since(a, b, now).has_value(); }
     void add(BodyId a, BodyId b, const EpochTime& now)
     {
         if (last_.size() >= most_) forget(now);

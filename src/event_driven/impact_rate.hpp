@@ -3,6 +3,7 @@
 /// sums. The bound is B n for n connected bodies; windows follow one another (docs/impacts.md, section 7).
 #pragma once
 
+#include "gather/tolerances.hpp"
 #include "motion/state.hpp"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ public:
     explicit ImpactRate(const State& state)
         : recent_(state.scene.spheres.size()),
           bound_(state.scene.guard.impacts),
+          group_bound_(static_cast<double>(bound_) * std::max(1.0, bounces_in_window / loss_of_longest(state))),
           length_(state.scene.guard.window.value_or(state.rest.numeric_step))
     {
     }
@@ -33,8 +35,9 @@ public:
         return ++recent.count >= recent.next;
     }
 
-    /// Number of bodies from which on a component cannot have had too many, for all bodies together have not had more.
-    std::size_t enough() const { return static_cast<std::size_t>(all_.count / bound_) + 1; }
+    /// Number of bodies from which on a component cannot have had too many, for all bodies together have not had more;
+    /// of a heap at least.
+    std::size_t enough() const { return std::max(largest_group, static_cast<std::size_t>(all_.count / bound_)) + 1; }
 
     /// Whether these bodies together have had more than B events a body within the window. From then until its end each
     /// further event is one too many. \pre add has just asked for one of them
@@ -46,8 +49,9 @@ public:
             const Recent& recent = recent_[static_cast<std::size_t>(body)];
             if (recent.window == window) sum += recent.count;
         }
-        const double left = static_cast<double>(bound_) -
-                            static_cast<double>(sum) / static_cast<double>(component.size());  // for each of them
+        const double bound = component.size() > largest_group ? static_cast<double>(bound_) : group_bound_;
+        const double left =
+            bound - static_cast<double>(sum) / static_cast<double>(component.size());  // for each of them
         for (const BodyId body : component) {
             Recent& recent = recent_[static_cast<std::size_t>(body)];
             if (recent.window != window) recent = {window, 0, 0};
@@ -62,6 +66,12 @@ private:
         std::int64_t count = 0, next = 0;
     };
 
+    /// 1 - e of those bounces which take longest, of all that are carried out until rounding ends them.
+    static double loss_of_longest(const State& state)
+    {
+        return 1 - state.laws.restitution_up_to(1 - bounces_of_rounding / most_bounces);
+    }
+
     /// Number of the window: windows follow one another from the start.
     double number(const State& state, const EpochTime& now) const
     {
@@ -71,6 +81,7 @@ private:
     std::vector<Recent> recent_;  ///< by body: events in the current window
     Recent all_;                  ///< of all bodies
     std::int64_t bound_;          ///< B
+    double group_bound_;          ///< B of bodies that are in no heap
     double length_;               ///< of a window [time]
 };
 

@@ -78,10 +78,10 @@ private:
     }
 
     /// Restitutions as the rest policy has them (docs/impacts.md, section 4). Policy contact makes e = 0, never where
-    /// all e = 1: for all contacts if every closing is slower than v_c, otherwise for contacts that closed less than
-    /// tau_p ago.
+    /// all e = 1. In heaps: for all contacts if every closing is slower than v_c, otherwise for contacts that closed
+    /// less than tau_p ago. In others: for contacts whose bounces rounding ends.
     /// \returns whether something was made inelastic
-    bool apply_policy(ContactProblem& cluster) const
+    bool apply_policy(ContactProblem& cluster)
     {
         const std::vector<Vec3> velocities = velocities_before(cluster);
         if (state_.scene.rest.policy == RestPolicy::micro)
@@ -94,15 +94,38 @@ private:
         if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), loses)) return false;
         double fastest = 0;
         for (const Contact& c : cluster.contacts) fastest = std::max(fastest, -closing_rate(c, velocities));
-        bool some = false;
+        const bool all_slow = fastest < state_.rest.closing_speed;
+        bool some = false, rebounds = false;
         for (Contact& c : cluster.contacts) {
-            if (!(c.restitution > 0) || (fastest >= state_.rest.closing_speed &&
-                                         !state_.recent.has(component_.id_of_a(c), state_.body_of(c.partner), now_)))
-                continue;
-            c.restitution = 0;
-            some = true;
+            const double closing = -closing_rate(c, velocities);
+            const bool ends = component_.is_heap ? all_slow || closed_lately(c) : closing > 0 && rounds(c, closing);
+            if (!ends) {
+                rebounds = rebounds || (closing > 0 && c.restitution > 0);
+            } else if (c.restitution > 0) {
+                c.restitution = 0;
+                some = true;
+            }
         }
+        if (some && !rebounds)
+            for (Contact& c : cluster.contacts) c.restitution = 0;
         return some;
+    }
+
+    bool closed_lately(const Contact& c) const
+    {
+        return state_.recent.has(component_.id_of_a(c), state_.body_of(c.partner), now_);
+    }
+
+    /// Whether rounding ends the bounces of a contact outside heaps, or a threshold, because too many are to come.
+    bool rounds(const Contact& c, double closing)
+    {
+        const BodyId a = component_.id_of_a(c);
+        const ContactLaw law{c.restitution, c.tangential, 1};
+        if (!is_inelastic(state_, law, a, c.partner, closing, now_, [] { return false; })) return false;
+        const double gravity = length(state_.gravity());
+        if (!bounces_end(law.restitution) && gravity > 0 && !out_.early_rest)
+            out_.early_rest = {a, 2 * law.restitution * closing / (gravity * (1 - law.restitution))};
+        return true;
     }
 
     /// Drops changes of bodies that were only close by: they keep their flights.

@@ -18,11 +18,12 @@ namespace {
 bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const Flight& f, const Vec3& normal,
                 const Neighbourhood& neighbourhood)
 {
+    const ContactInstant instant(state, key, neighbourhood);
+    const auto is_in_heap = [&] { return instant.is_in_heap(); };
     const auto pressed = [&] { return normal.dot(state.acceleration(f)) < 0; };
     return state.bodies.is_held_by_several(key.a) ||
-           (is_inelastic(state, law, key.a, key.b, -normal.dot(f.velocity), key.time) && !pressed()) ||
-           belongs_to_previous_instant(state, key) ||
-           other_closed(state, ContactInstant(state, key), f, key.a, key.b, neighbourhood);
+           (is_inelastic(state, law, key.a, key.b, -normal.dot(f.velocity), key.time, is_in_heap) && !pressed()) ||
+           belongs_to_previous_instant(state, key) || other_closed(state, instant, f, key.a, key.b, neighbourhood);
 }
 
 /// Brings a sphere to rest that leaves its plane slower than a threshold, with more than a million bounces to come.

@@ -17,10 +17,11 @@ namespace {
 bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const Flight& a, const Flight& b,
                 double closing, bool rebounds, const Neighbourhood& neighbourhood)
 {
-    const ContactInstant instant(state, key);
+    const ContactInstant instant(state, key, neighbourhood);
     const BodyId other = key.b.index;
     return state.bodies.is_held_by_several(key.a) || state.bodies.is_held_by_several(other) || law.restitution == 0 ||
-           (!rebounds && is_inelastic(state, law, key.a, key.b, closing, key.time)) ||
+           (!rebounds &&
+            is_inelastic(state, law, key.a, key.b, closing, key.time, [&] { return instant.is_in_heap(); })) ||
            belongs_to_previous_instant(state, key) || other_closed(state, instant, a, key.a, key.b, neighbourhood) ||
            other_closed(state, instant, b, other, Partner::sphere(key.a), neighbourhood);
 }

@@ -35,7 +35,7 @@ public:
     Walk(const State& state, const Key& key, const Neighbourhood& neighbourhood)
         : state_(state),
           key_(key),
-          instant_(state, key),
+          instant_(state, key, neighbourhood),
           moment_(state, key.time),
           neighbourhood_(neighbourhood),
           ties_(key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact)
@@ -57,6 +57,7 @@ public:
         std::sort(contacts.begin(), contacts.end(), comes_first);
         ContactComponent out;
         number_bodies(state_, {members_.begin(), members_.end()}, std::move(contacts), out);
+        out.is_heap = state_.loses_energy && (members_.size() > largest_group || instant_.is_in_heap());
         for (const auto& [which, contact] : opened_) {
             out.opened.push_back(contact);
             out.opened.back().a = static_cast<int>(std::distance(members_.begin(), members_.find(which.first)));
@@ -127,7 +128,8 @@ private:
         for (int p = 0; p < state_.planes(); ++p) take_tie(body, Partner::plane(p));
         const Flight& now = flight(body);
         const double margin = state_.widest_tie(body);
-        for (const BodyId other : neighbourhood_(body))
+        const std::span<const BodyId> near = neighbourhood_(body);
+        for (const BodyId other : std::vector<BodyId>(near.begin(), near.end()))  // ties ask for others'
             if (may_touch(state_, body, now, other, margin)) take_tie(body, Partner::sphere(other));
     }
 
@@ -135,7 +137,7 @@ private:
     {
         const auto [a, b] = pair(body, other);
         if (found_.contains({a, b})) return;
-        if (!state_.ties(a, b, closed(a, b).gap, key_.time) || !instant_.is_that_of(a, b)) return;
+        if (!instant_.ties(a, b, closed(a, b).gap) || !instant_.is_that_of(a, b)) return;
         opened_.erase({a, b});  // open, but not so far
         take(body, other);
     }
@@ -248,6 +250,7 @@ std::vector<ContactComponent> declared_components(const State& state)
         if (alone) continue;
         out.emplace_back();
         number_bodies(state, part.bodies, std::move(part.contacts), out.back());
+        out.back().is_heap = part.bodies.size() > largest_group;
     }
     return out;
 }

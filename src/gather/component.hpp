@@ -16,6 +16,7 @@ struct ContactComponent {
     ContactProblem problem;
     std::vector<Flight> flights;  ///< by body, as if they began at this instant
     std::vector<Contact> opened;  ///< persistent ones that have opened on the way, by more than the gap tolerance
+    bool is_heap = false;         ///< thresholds of rest hold, see gather/heap.hpp
 
     BodyId id(std::size_t body) const { return problem.bodies[body].id; }
     BodyId id_of_a(const Contact& contact) const { return id(static_cast<std::size_t>(contact.a)); }

@@ -10,22 +10,24 @@ namespace {
 
 /// Whether the contact is closed at this instant and not opening. (One that opens would have to be closed again by the
 /// same instant to matter.) \pre a is a sphere; flights are of this instant.
-bool closed_contact(const State& state, const Flight& a, BodyId id_a, const Flight& b, BodyId id_b)
+Closed closed_contact(const State& state, const ContactInstant& instant, const Flight& a, BodyId id_a, const Flight& b,
+                      BodyId id_b)
 {
     const Partner partner = Partner::sphere(id_b);
     const Vec3 r = separation(state.frame, a.place, b.place);
     const double sum = state.radius(id_a) + state.radius(id_b);
     const double reach = sum + std::max(state.rebound_gap, state.tie(state.smaller_radius(id_a, partner)));
-    return r.squaredNorm() <= reach * reach && approach_sign(r, a.velocity - b.velocity) <= 0 &&
-           state.ties(id_a, partner, length(r) - sum, a.start);
+    if (r.squaredNorm() > reach * reach || approach_sign(r, a.velocity - b.velocity) > 0) return Closed::no;
+    return instant.closed(id_a, partner, length(r) - sum);
 }
 
-bool closed_contact(const State& state, const Flight& a, BodyId id, int plane)
+Closed closed_contact(const State& state, const ContactInstant& instant, const Flight& a, BodyId id, int plane)
 {
     const Plane& p = state.plane(plane);
-    if (!p.thickness && p.normal.dot(a.velocity) > 0) return false;  // the cheap half of the answer first
-    if (!state.ties(id, Partner::plane(plane), height_above(state, id, plane, a.place), a.start)) return false;
-    return facing_normal(state, plane, a.place).dot(a.velocity) <= 0;
+    if (!p.thickness && p.normal.dot(a.velocity) > 0) return Closed::no;  // the cheap half of the answer first
+    const Closed closed = instant.closed(id, Partner::plane(plane), height_above(state, id, plane, a.place));
+    if (closed == Closed::no || facing_normal(state, plane, a.place).dot(a.velocity) <= 0) return closed;
+    return Closed::no;
 }
 
 }  // namespace
@@ -44,26 +46,50 @@ bool ContactInstant::is_that_of(BodyId body, Partner other) const
     return !(its.t_hi < own.t_lo) && !(own.t_hi < its.t_lo);
 }
 
+bool ContactInstant::is_in_heap() const
+{
+    if (!heap_) {
+        const BodyId body = state_.is_fixed(contact_.a) ? contact_.b.index : contact_.a;
+        heap_ = carom::is_in_heap(state_, body, contact_.time, neighbourhood_);
+    }
+    return *heap_;
+}
+
+Closed ContactInstant::closed(BodyId a, Partner b, double gap) const
+{
+    const double radius = state_.smaller_radius(a, b), tie = state_.tie(radius);
+    if (!(gap <= std::max(tie, state_.rebound_gap))) return Closed::no;
+    if (!(state_.rebound_gap > 0) || !state_.recent.has(a, state_.body_of(b), contact_.time))
+        return gap <= tie ? Closed::yes : Closed::no;
+    return gap <= std::min(tie, state_.lowest_bounce(radius)) ? Closed::yes : Closed::in_heaps;
+}
+
 bool other_closed(const State& state, const ContactInstant& instant, const Flight& now, BodyId body, Partner partner,
                   const Neighbourhood& neighbourhood)
 {
     if (state.is_fixed(body)) return false;  // contacts are linked through bodies that can move
     const auto* leaning = state.bodies.as<Leaning>(body);
+    bool in_heaps = false;
+    const auto is_closed = [&](Closed closed, Partner other) {
+        if (closed == Closed::no || !instant.is_that_of(body, other)) return false;
+        in_heaps = in_heaps || closed == Closed::in_heaps;
+        return closed == Closed::yes;
+    };
     for (int p = 0; p < state.planes(); ++p) {
         const Partner plane = Partner::plane(p);
-        if (plane != partner && !(leaning && p == leaning->plane) && closed_contact(state, now, body, p) &&
-            instant.is_that_of(body, plane))
+        if (plane != partner && !(leaning && p == leaning->plane) &&
+            is_closed(closed_contact(state, instant, now, body, p), plane))
             return true;
     }
     const double margin = state.widest_tie(body);
     for (const BodyId other : neighbourhood(body)) {
         if (partner == Partner::sphere(other)) continue;
         if (!may_touch(state, body, now, other, margin)) continue;
-        if (closed_contact(state, now, body, advanced(state, other, now.start), other) &&
-            instant.is_that_of(body, Partner::sphere(other)))
+        if (is_closed(closed_contact(state, instant, now, body, advanced(state, other, now.start), other),
+                      Partner::sphere(other)))
             return true;
     }
-    return false;
+    return in_heaps && instant.is_in_heap();
 }
 
 bool is_apart(const State& state, const Flight& now, BodyId body, Partner partner, const Neighbourhood& neighbourhood)

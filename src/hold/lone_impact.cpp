@@ -33,7 +33,7 @@ LoneImpact lone_impact(const State& state, const Key& key, const Flight& a, cons
     const double closing = -encounter.normal().dot(encounter.velocity());
     if (!bounces_to_rounding(state, key.a, other)) return {};
     const ContactLaw& law = state.law(key.a, key.b);
-    const bool slow = is_inelastic(state, law, key.a, key.b, closing, key.time);
+    const bool slow = is_slow(state, law, key.a, key.b, closing, key.time);
     if (!(slow || returns) || !is_apart(state, a, key.a, key.b, neighbourhood) ||
         !is_apart(state, b, other, Partner::sphere(key.a), neighbourhood))
         return {};

@@ -92,12 +92,22 @@ bool Persistence::is_closed(std::size_t contact) const
 
 void Persistence::choose_candidates()
 {
-    const double most = loses_energy() ? std::max(slow_, state_.rest.closing_speed) : slow_;
-    for (std::size_t i = 0; i < count(); ++i) persists_.push_back(is_closed(i) && rate(i) <= most);
+    const bool loses = loses_energy();
+    for (std::size_t i = 0; i < count(); ++i)
+        persists_.push_back(is_closed(i) && rate(i) <= (loses ? std::max(slow_, lowest_rebound(i)) : slow_));
 }
 
-/// In components with some e < 1 a contact that opens slower than v_c while forces press it comes back slower than
-/// v_c, and then has no rebound: it persists at once.
+/// The speed below which a contact that forces press comes back without a rebound, so that it persists at once: v_c in
+/// heaps, elsewhere that of a bounce that rounding ends.
+double Persistence::lowest_rebound(std::size_t contact) const
+{
+    if (component_.is_heap) return state_.rest.closing_speed;
+    const Contact& c = problem().contacts[contact];
+    const double radius = state_.smaller_radius(id_of_a(c), c.partner);
+    return std::sqrt(2 * length(gravity_) * state_.lowest_bounce(radius));
+}
+
+/// Whether bounces of the component get lower and lower.
 bool Persistence::loses_energy() const
 {
     return state_.scene.rest.policy == RestPolicy::contact &&
@@ -264,8 +274,8 @@ bool Persistence::push(std::vector<char>& opens, const std::vector<char>& left, 
     return false;
 }
 
-/// Who leans on one plane only goes along it, whatever pushes.
-void Persistence::follow_planes()
+/// By body, the number of contacts that persist.
+std::vector<int> Persistence::holds() const
 {
     std::vector<int> held(problem().bodies.size(), 0);
     for (std::size_t i = 0; i < count(); ++i) {
@@ -273,6 +283,13 @@ void Persistence::follow_planes()
         ++held[static_cast<std::size_t>(a(i))];
         if (b(i)) ++held[static_cast<std::size_t>(*b(i))];
     }
+    return held;
+}
+
+/// Who leans on one plane only goes along it, whatever pushes.
+void Persistence::follow_planes()
+{
+    const std::vector<int> held = holds();
     for (std::size_t i = 0; i < count(); ++i) {
         const Contact& c = problem().contacts[i];
         const auto k = static_cast<std::size_t>(a(i));
@@ -308,19 +325,20 @@ void Persistence::open_what_closes()
     energy_taken_ += before - kinetic_energy();
 }
 
-/// Speeds and accelerations that are no more than what solving leaves of 0, where contacts hold a body.
+/// Speeds and accelerations that are no more than what solving leaves of 0, where contacts hold a body. (Outside heaps
+/// one that a single plane holds slides on, however slowly: no solving was needed.)
 void Persistence::bring_to_rest()
 {
-    std::vector<char> is_held(problem().bodies.size(), 0);
-    for (std::size_t i = 0; i < count(); ++i) {
-        if (!persists_[i]) continue;
-        is_held[static_cast<std::size_t>(a(i))] = 1;
-        if (b(i)) is_held[static_cast<std::size_t>(*b(i))] = 1;
-    }
-    for (std::size_t k = 0; k < problem().bodies.size(); ++k) {
-        if (!is_held[k]) continue;
+    const std::vector<int> held = holds();
+    std::vector<char> slides(held.size(), 0);
+    for (std::size_t i = 0; i < count() && !component_.is_heap; ++i)
+        if (persists_[i] && problem().contacts[i].partner.is_plane())
+            slides[static_cast<std::size_t>(a(i))] = held[static_cast<std::size_t>(a(i))] == 1;
+    for (std::size_t k = 0; k < held.size(); ++k) {
+        if (held[k] == 0) continue;
         Vec3 &v = velocity(k), &acceleration = acceleration_[k];
         if (length(acceleration) <= same_) acceleration = Vec3::Zero();
+        if (slides[k]) continue;
         if (acceleration.isZero(0) && length(v) <= slow_) v = Vec3::Zero();
     }
 }

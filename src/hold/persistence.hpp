@@ -47,6 +47,7 @@ private:
     bool is_closed(std::size_t contact) const;
     double turning(std::size_t contact) const;
     bool loses_energy() const;
+    double lowest_rebound(std::size_t contact) const;
     double softest(std::size_t contact) const;
     double kinetic_energy() const;
     ContactProblem with_contacts(const std::vector<char>& which) const;
@@ -59,6 +60,7 @@ private:
     void equalise(const std::vector<char>& which, const std::vector<double>& wanted);
     void push_apart(std::vector<char> opens);
     bool push(std::vector<char>& opens, const std::vector<char>& left, double enough);
+    std::vector<int> holds() const;
     void follow_planes();
     void open_what_closes();
     void bring_to_rest();

@@ -8,18 +8,8 @@ namespace carom {
 
 // A sphere on one plane.
 
-/// Height [radius + cell] of a bounce that is rest. A height is the difference of places that round to u of that, and
-/// of the plane's offset, 4 counted. No derivation of the rest of it.
-inline constexpr double rest_height = 16 * unit_roundoff;
 /// Normal speed [|v|] that is none: twice its rounding.
 inline constexpr double no_normal_speed = 2 * normal_speed_rounding;
-
-// A sphere alone on a fixed one.
-
-/// Bounces [1 / (1 - e)] that are to come at most: e^k = u^2.3, from the fastest to where rounding ends them.
-inline constexpr double bounces_of_rounding = 37;
-/// Bounces [1] beyond which thresholds end them: some 1 s of computing.
-inline constexpr double most_bounces = 1e6;
 
 // Contacts of a component.
 

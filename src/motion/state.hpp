@@ -69,12 +69,8 @@ struct State {
 
     /// Largest gap at which a contact belongs to the instant of another [length]. \param radius the smaller one
     double tie(double radius) const { return tolerances.tie * radius; }
-    /// Whether a contact with this gap belongs to the instant `now` of another: within the tie, or within rebound_gap
-    /// if it closed less than tau_p ago.
-    bool ties(BodyId a, Partner b, double gap, const EpochTime& now) const
-    {
-        return gap <= tie(smaller_radius(a, b)) || (gap <= rebound_gap && recent.has(a, body_of(b), now));
-    }
+    /// Height of a bounce that rounding of its place ends [length]. \param radius the smaller one
+    double lowest_bounce(double radius) const { return rest_height * (radius + frame.cell_size); }
     /// Largest gap at which any contact of the body belongs to the instant of another one [length].
     double widest_tie(BodyId body) const { return std::max(rebound_gap, tie(radius(body))); }
 };

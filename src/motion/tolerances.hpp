@@ -19,6 +19,10 @@ inline constexpr double slow_part = 1e-6;
 /// Acceleration [gravity] that opens no contact. No derivation: forces are solved to `projection_tolerance`.
 inline constexpr double soft_part = 1e-9;
 
+/// Height [radius + cell] of a bounce that is rest. A height is the difference of places that round to u of that, and
+/// of the plane's offset, 4 counted. No derivation of the rest of it.
+inline constexpr double rest_height = 16 * unit_roundoff;
+
 // Rounding of normal speeds.
 
 /// Error of n.v [|v|]: product 1, sums 2 of sum |n_i v_i| <= |v|, components of n 1, 4 counted.

@@ -134,7 +134,8 @@ private:
             if (!alone && another_closes(frame, wall, place, before, radius, tie)) break;
             Meeting again{never, &wall, height(frame, wall, place, radius), 0};
             if (inelastic && !(wall.gravity < 0) &&
-                is_inelastic(state, wall.law, 0, Partner::plane(wall.plane), -normal.dot(before), next.time))
+                is_inelastic(state, wall.law, 0, Partner::plane(wall.plane), -normal.dot(before), next.time,
+                             [] { return false; }))
                 break;
             const Vec3 change = velocity_change(before, normal, wall.law), after = before + change;
             again.w = normal.dot(after);

@@ -1,6 +1,5 @@
 #include "projection/project.hpp"
 
-#include "projection/augmented_lagrangian.hpp"
 #include "projection/components.hpp"
 #include "projection/dual_active_set.hpp"
 #include "projection/gauss_seidel.hpp"
@@ -27,16 +26,19 @@ Projection solve_dense(const ProjectionProblem& part, Guess guess)
     return out.complete ? out : dual_active_set(part).projection;
 }
 
+/// A set that does not settle most often does from more sweeps; the dense one always does, where it is not too dear.
 Projection solve_sparse(const ProjectionProblem& part, Guess guess)
 {
-    std::vector<double> swept;
-    if (!guess) {
-        swept = gauss_seidel(part, first_sweeps, std::vector<double>(part.half_spaces.size(), 0.0)).multipliers;
-        guess = swept;
+    std::vector<double> multipliers(part.half_spaces.size(), 0.0);
+    if (guess) multipliers.assign(guess->begin(), guess->end());
+    for (int n = 0; n < most_sets; ++n) {
+        if (n > 0 || !guess)
+            multipliers = gauss_seidel(part, n > 0 ? more_sweeps : first_sweeps, std::move(multipliers)).multipliers;
+        Projection out = primal_dual_active_set(part, multipliers, Factors::sparse);
+        if (out.complete) return out;
     }
-    Projection out = primal_dual_active_set(part, *guess, Factors::sparse);
-    if (!out.complete) out = augmented_lagrangian(part, *guess).projection;
-    return out;
+    if (part.half_spaces.size() <= largest_dense) return dual_active_set(part).projection;
+    return {{}, std::move(multipliers), false, 0};
 }
 
 Projection solve(const ProjectionProblem& part, Guess guess)

@@ -19,6 +19,12 @@ inline constexpr std::size_t dense_limit = 80;
 /// Measured: of 20 piles, sets that begin from 30 sweeps do not settle in 3, from 3 or 10 sweeps in 4 and 3, and from
 /// 100 sweeps, which take as long as the set does, in 2.
 inline constexpr int first_sweeps = 30;
+/// Sweeps [1] after a set that did not settle, before another one. Measured: of 16 piles one needs them, once.
+inline constexpr int more_sweeps = 100;
+/// Sets [1] that are tried so.
+inline constexpr int most_sets = 4;
+/// Half-spaces [1] up to which the dense active set solves what no sparse one has: 634 take 0.1 s.
+inline constexpr std::size_t largest_dense = 1000;
 /// Sweeps [1] for what no solver finishes: none makes it worse. Measured: 40 to 70 ms for 3,000 half-spaces.
 inline constexpr int last_sweeps = 1000;
 
@@ -47,9 +53,9 @@ inline constexpr int dual_steps_each = 20;
 
 // Primal-dual active sets (primal_dual_active_set.cpp).
 
-/// Changes [1] of the active set before another solver is asked. Measured: of 20 piles that begin from 30 sweeps 5 need
-/// one, 12 two to eight, 3 more.
-inline constexpr int most_set_changes = 8;
+/// Changes [1] of the active set before others are tried. Measured: of 16 piles that begin from 30 sweeps 9 need up to
+/// eight, 6 up to 13, and one does not settle in 60.
+inline constexpr int most_set_changes = 24;
 /// Part [1] of a tolerance that refinements of multipliers may leave: then the test of the other slacks decides.
 inline constexpr double refined_enough = 1.0 / 8;
 /// Pivot [1] of the products of active unit normals below which they depend on each other: a solve leaves u / pivot =
@@ -61,39 +67,15 @@ inline constexpr int dense_refinements = 2;
 /// singular values of the normals: 8 reach 1e-16 where sigma^2 is above 1e-4.
 inline constexpr int sparse_refinements = 8;
 
-// Augmented Lagrangian (augmented_lagrangian.cpp).
+// Sparse factors (primal_dual_active_set.cpp, sparse_products.hpp, equalise.cpp).
 
 /// Slacks [tolerances] that solve a problem with sparse factors: rounding of the sums over a body's contacts comes on
-/// top of that of multipliers. Measured: 5.7 left at most.
+/// top of that of multipliers. Measured: 5.7 left at most (of an earlier sparse solver; not since).
 inline constexpr double sparse_tolerances = 100;
-/// First of the penalties' inverses epsilon [1, against squares of singular values of at most about 10]: small ones
-/// find the multipliers in few rounds of many Newton steps, large ones in many rounds of few. Measured: 522 Newton
-/// steps for 16 piles; 547 and 476 from 1e-1 and 1e-3.
-inline constexpr double first_epsilon = 1e-2;
-/// Last epsilon [1], and that of sparse products: below the squares of singular values, for a tower of a thousand
-/// spheres 1.2e-6 (1 - cos of pi/2000). Multipliers carry the rounding of slacks over epsilon, 1e-10 of the sizes that
-/// occur.
+/// Epsilon [1, against squares of singular values of at most about 10] of sparse products: below the squares of
+/// singular values, for a tower of a thousand spheres 1.2e-6 (1 - cos of pi/2000). Multipliers carry the rounding of
+/// slacks over epsilon, 1e-10 of the sizes that occur.
 inline constexpr double small_epsilon = 1e-6;
-/// Factor [1] by which epsilon shrinks. Measured: 522 Newton steps; 488 and 567 with 0.1 and 0.5, and no less time.
-inline constexpr double epsilon_factor = 0.2;
-/// Part [1] of the errors that a round may leave; one that leaves more wants a smaller epsilon. Measured: 522 Newton
-/// steps; 488 and 657 with 0.1 and 0.5, and no less time.
-inline constexpr double good_round = 0.2;
-/// Newton steps [1] of a round above which epsilon is small enough for the time being. Measured: 522 Newton steps in
-/// all; 570 and 509 with 4 and 16.
-inline constexpr int easy_round = 8;
-/// Rounds [1] of penalties. Measured: 12 leave 5 of 16 piles incomplete, 200 none.
-inline constexpr int most_penalty_rounds = 200;
-/// Newton steps [1] of a round. Measured: 12 take 525 steps where 60 take 522: longer rounds are few.
-inline constexpr int most_newton_steps_a_round = 60;
-/// Newton steps [1] of a problem. Measured: 68 at most.
-inline constexpr int most_newton_steps = 1000;
-/// Gradient [1, part of the largest multiplier] of a minimum: some 100 u, the rounding of the sum over a body's
-/// contacts. Measured: 522 Newton steps also with 1e-12, 2,875 with 1e-16.
-inline constexpr double gradient_rounding = 1e-14;
-/// Distance [1] from 1 of the length of a whole Newton step, found by line search. Measured: the same steps with 1e-6
-/// and 1e-12.
-inline constexpr double whole_step_rounding = 1e-9;
 /// Time of a multiplication of an update [multiplications of a factorisation]: memory. Measured: 1.8 to 3.2.
 inline constexpr double update_price = 2.5;
 

@@ -2,7 +2,6 @@
 #include "../unit/projection/pile_problem.hpp"
 
 #include "projection/active_factor.hpp"
-#include "projection/augmented_lagrangian.hpp"
 #include "projection/dual_active_set.hpp"
 #include "projection/gauss_seidel.hpp"
 #include "projection/primal_dual_active_set.hpp"
@@ -33,17 +32,6 @@ std::vector<double> swept(const ProjectionProblem& problem, int sweeps)
     return gauss_seidel(problem, sweeps, std::vector<double>(problem.half_spaces.size(), 0.0)).multipliers;
 }
 
-/// Largest error of the slacks, in tolerances.
-double error_left(const ProjectionProblem& problem, const Projection& solved)
-{
-    double out = 0;
-    for (std::size_t i = 0; i < problem.half_spaces.size(); ++i) {
-        const double left = slack(problem.half_spaces[i], solved.point);
-        out = std::max(out, solved.multipliers[i] > 0 ? std::abs(left) : -left);
-    }
-    return out / problem.tolerance;
-}
-
 /// Masses as they are, or a hundred times as much for every third body.
 std::vector<ProjectionProblem> problems(int side)
 {
@@ -54,25 +42,6 @@ std::vector<ProjectionProblem> problems(int side)
             for (std::size_t k = 0; uneven && k < out.back().w.size(); k += 3) out.back().w[k] = 0.01;
         }
     return out;
-}
-
-void augmented_lagrangians()
-{
-    int newton_steps = 0, factorisations = 0, updates = 0, incomplete = 0;
-    double left = 0;
-    for (const int side : {3, 5, 8, 10})
-        for (const ProjectionProblem& problem : problems(side)) {
-            const AugmentedLagrangianResult solved = augmented_lagrangian(problem, swept(problem, 30));
-            newton_steps += solved.newton_steps;
-            factorisations += solved.factorisations;
-            updates += solved.updates;
-            incomplete += solved.projection.complete ? 0 : 1;
-            left = std::max(left, error_left(problem, solved.projection));
-        }
-    std::printf(
-        "augmented Lagrangian, 16 piles: %d Newton steps, %d factorisations, %d updates, %d incomplete, "
-        "at most %.1f tolerances left\n",
-        newton_steps, factorisations, updates, incomplete, left);
 }
 
 void price_of_updates()
@@ -129,7 +98,6 @@ void dense_and_sparse()
 
 int main()
 {
-    augmented_lagrangians();
     price_of_updates();
     dense_and_sparse();
 }

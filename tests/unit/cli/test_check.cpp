@@ -67,12 +67,18 @@ TEST_CASE("check says which checks hold, and exits with 4 if one fails", "[cli]"
 
 TEST_CASE("check exits with 1 where a run ends unresolved and nothing fails, with 4 where something does", "[cli]")
 {
-    // A light ball squeezed between the floor and a heavy one: impacts accumulate, and the guard is off.
+    // A light ball of a heap squeezed between the floor and a heavy one: impacts accumulate, and the guard is off.
     const std::vector<std::string> jam{
-        "--set", R"(/materials={"lossy": {"restitution": 0.99}})",
-        "--set", "/guard=off",
-        "--set", R"(/rest={"closing_speed": 0, "window": 0, "numeric_step": 0.01})",
-        "--set", R"(/spheres=[{"radius": 0.1, "mass": 1e-6, "position": [0, 0, 0.1005], "material": "lossy"},
+        "--set",
+        R"(/materials={"lossy": {"restitution": 0.999}})",
+        "--set",
+        "/guard=off",
+        "--set",
+        R"(/fill=[{"pattern": "line", "count": 12, "radius": 0.1, "gap": 5e-5, "origin": [0.20005, 0, 0.1005], "material": "lossy"}])",
+        "--set",
+        R"(/rest={"closing_speed": 0, "window": 0, "numeric_step": 0.01})",
+        "--set",
+        R"(/spheres=[{"radius": 0.1, "mass": 1e-6, "position": [0, 0, 0.1005], "material": "lossy"},
         {"radius": 0.1, "mass": 1e6, "position": [0, 0, 1.301], "velocity": [0, 0, -1], "material": "lossy"}])"};
     const File file(ball_scene);
     std::vector<std::string> args{"check", file.path(), "--set", "/checks=[{\"type\": \"no_overlap\"}]"};

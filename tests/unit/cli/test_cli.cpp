@@ -194,11 +194,14 @@ TEST_CASE("a sphere that is lifted out of a plane it began in says so, with the 
 TEST_CASE("a run that met what it cannot resolve says how to go on, and compare exits with 1", "[cli]")
 {
     const Folder folder;
-    // A light ball squeezed between the floor and a heavy one: impacts accumulate, and the guard is off.
+    // A light ball of a heap squeezed between the floor and a heavy one: impacts accumulate, and the guard is off.
     const std::string jam =
         R"(/spheres=[{"radius": 0.1, "mass": 1e-6, "position": [0, 0, 0.1005], "material": "lossy"},
         {"radius": 0.1, "mass": 1e6, "position": [0, 0, 1.301], "velocity": [0, 0, -1], "material": "lossy"}])";
-    const std::vector<std::string> set{"--set",   R"(/materials={"lossy": {"restitution": 0.99}})",
+    const std::string heap =
+        R"(/fill=[{"pattern": "line", "count": 12, "radius": 0.1, "gap": 5e-5, "origin": [0.20005, 0, 0.1005], "material": "lossy"}])";
+    const std::vector<std::string> set{"--set",   R"(/materials={"lossy": {"restitution": 0.999}})",
+                                       "--set",   heap,
                                        "--set",   "/guard=off",
                                        "--set",   R"(/rest={"closing_speed": 0, "window": 0, "numeric_step": 0.01})",
                                        "--set",   R"(/planes=[{"normal": [0, 0, 1], "offset": 0}])",

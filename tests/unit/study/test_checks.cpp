@@ -51,6 +51,7 @@ Scene squeezed(const std::vector<Check>& checks)
     scene.end_time = 3;
     scene.materials[0].restitution = 0.99;
     scene.guard.on = false;
+    scene.guard.impacts = 1;
     scene.rest.closing_speed = scene.rest.window = 0;
     scene.rest.numeric_step = 1e-2;
     scene.spheres.push_back(make_sphere("fixed", 0.5, Vec3(0, 0, 0)));
