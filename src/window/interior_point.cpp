@@ -81,27 +81,76 @@ public:
             const double mu = sum / static_cast<double>(m_),
                          error = std::max(mu / interior_complementarity, miss / interior_miss);
             // Not a number: rounding has the last word where forces are huge, and the best step before it counts.
-            if (!(error < best_error_ * interior_diverges)) return false;
+            if (!(error < best_error_ * interior_diverges)) return polish();
             if (error < best_error_) {
                 best_error_ = error;
                 best_ = l_;
                 best_slacks_ = s_;
             }
-            if (error < 1) return true;
+            if (error < 1) return polish();
             step(mu);
         }
-        return false;
+        return polish();
     }
 
-    /// The multiplier, or 0 where it has become as good as none.
-    double multiplier(std::size_t i, double scale) const
-    {
-        if (best_[i] < best_slacks_[i] && best_[i] < negligible_multiplier) return 0;
-        return best_[i] * scale / normals_[i].length;
-    }
+    double multiplier(std::size_t i, double scale) const { return best_[i] * scale / normals_[i].length; }
     int steps() const { return steps_; }
 
 private:
+    /// The largest violation of a slack, and the largest slack that has a multiplier, where multipliers alone make the
+    /// point.
+    double miss_of(const Scalars& l) const
+    {
+        UnitVectors y(y_.size(), Vector{});
+        for (std::size_t i = 0; i < m_; ++i) normals_[i].add_to(y, l[i]);
+        double out = 0;
+        for (std::size_t i = 0; i < m_; ++i) {
+            const double slack = normals_[i].dot(y) + offset_[i];
+            out = std::max(out, best_[i] > best_slacks_[i] ? std::abs(slack) : -slack);
+        }
+        return out;
+    }
+
+    /// Near the end the multipliers of half-spaces that bound the point carry the rounding of slacks that are almost 0.
+    /// The method of multipliers with a moderate weight finds them anew; half-spaces that do not bound it lose theirs.
+    bool polish()
+    {
+        Scalars l(m_, 0);
+        columns_.clear();
+        for (std::size_t i = 0; i < m_; ++i) {
+            if (best_[i] < best_slacks_[i] && best_[i] < negligible_multiplier) best_[i] = 0;
+            const bool bounds = best_[i] > best_slacks_[i];
+            l[i] = best_[i];
+            columns_.push_back(normals_[i].scaled(bounds ? std::sqrt(polishing_weight) : 0));
+        }
+        factor_.factor(columns_);
+        UnitVectors y(y_.size(), Vector{});
+        for (std::size_t i = 0; i < m_; ++i) normals_[i].add_to(y, l[i]);
+        double least = miss_of(best_);
+        for (int round = 0; round < most_polishing_rounds && least > polished_enough; ++round) {
+            UnitVectors change(y_.size(), Vector{});
+            for (std::size_t k = 0; k < y.size(); ++k)
+                for (std::size_t c = 0; c < 3; ++c) change[k][c] = -y[k][c];
+            for (std::size_t i = 0; i < m_; ++i) {
+                const bool bounds = best_[i] > best_slacks_[i];
+                normals_[i].add_to(change, l[i] - (bounds ? polishing_weight * (normals_[i].dot(y) + offset_[i]) : 0));
+            }
+            factor_.solve(change);
+            for (std::size_t k = 0; k < y.size(); ++k)
+                for (std::size_t c = 0; c < 3; ++c) y[k][c] += change[k][c];
+            for (std::size_t i = 0; i < m_; ++i)
+                if (best_[i] > best_slacks_[i])
+                    l[i] = std::max(0.0, l[i] - polishing_weight * (normals_[i].dot(y) + offset_[i]));
+            const double miss = miss_of(l);
+            if (miss < least) {
+                least = miss;
+                polished_ = l;
+            }
+        }
+        if (!polished_.empty()) best_ = polished_;
+        return least < interior_accuracy;
+    }
+
     void step(double mu)
     {
         columns_.clear();
@@ -151,6 +200,7 @@ private:
     std::size_t m_;
     Scalars offset_, s_, l_, ds_, dl_, primal_;
     Scalars best_, best_slacks_;  ///< multipliers and slacks of the least error
+    Scalars polished_;
     BlockCholesky factor_;
     std::vector<BlockCholesky::Column> columns_;
     double best_error_ = std::numeric_limits<double>::max() / interior_diverges;

@@ -86,10 +86,10 @@ private:
         for (int step = 0; step < most_descents; ++step) {
             double way = 0;
             for (bool all_held = false; !all_held;) {
-                if (!fall()) return fail(LandingStatus::unbalanced);
+                fall();
                 const int before = resting_;
-                leave_out();
-                if (resting_ < candidates_ * least_resting) return fail(LandingStatus::unbalanced);
+                if (resting_ > 0) leave_out();
+                if (resting_ == 0 || resting_ < candidates_ * least_resting) return fail(LandingStatus::unbalanced);
                 all_held = resting_ == before;
             }
             for (const Vec3& d : displacement_) way = std::max(way, d.norm());
@@ -99,7 +99,7 @@ private:
         return fail(LandingStatus::too_far);
     }
 
-    bool fall()
+    void fall()
     {
         number_bodies();
         resting_ = static_cast<int>(inverse_masses_.size());
@@ -120,15 +120,13 @@ private:
             projection.half_spaces.push_back(h);
             listed_.push_back(i);
         }
-        if (resting_ == 0) return false;
+        if (resting_ == 0) return;
         const Projection solved = interior_point(projection, std::sqrt(scale));
         out_.factorisations += solved.steps;
-        displacement_.clear();
         std::fill(out_.forces.begin(), out_.forces.end(), 0.0);
         for (std::size_t k = 0; k < listed_.size(); ++k)
             out_.forces[listed_[k]] = carries(projection, solved, k) ? solved.multipliers[k] / square_time : 0;
         displacement_ = solved.point;
-        return solved.complete;
     }
 
     /// Whether a half-space's multiplier is more than what its slack makes of rounding.
@@ -170,22 +168,27 @@ private:
         }
     }
 
+    /// Moves what rests, or goes the part of the way that keeps the linear bounds of all gaps.
     bool move(const std::vector<Vec3>& displacement)
     {
         std::vector<Vec3> shift(now_.bodies.size(), Vec3::Zero());
         for (std::size_t i = 0; i < shift.size(); ++i)
             if (out_.rests[i]) shift[i] = displacement[at(number_[i])];
+        double part = 1;
         for (const WindowContact& contact : now_.contacts) {
             if (!concerns(contact)) continue;
             const ContactGeometry g = geometry(now_, contact);
-            const Vec3 apart =
-                contact.b.is_sphere() ? Vec3(shift[at(contact.a)] - shift[at(contact.b.index)]) : shift[at(contact.a)];
-            const double least = std::min(g.gap, -overlap_of_rounding * radius_of(now_, contact));
-            if (g.gap + g.normal.dot(apart) < least) return fail(LandingStatus::overlaps);
+            Vec3 apart = shift[at(contact.a)];
+            if (contact.b.is_sphere()) apart -= shift[at(contact.b.index)];
+            const double change = g.normal.dot(apart), floor = -overlap_of_rounding * radius_of(now_, contact);
+            if (g.gap + change < std::min(g.gap, floor))
+                part = std::min(part, part_of_the_way * std::max(0.0, g.gap) / -change);
         }
+        if (part < least_part) return fail(LandingStatus::overlaps);
         for (std::size_t i = 0; i < shift.size(); ++i) {
-            WindowBody& body = now_.bodies[i];
             if (!out_.rests[i]) continue;
+            WindowBody& body = now_.bodies[i];
+            shift[i] *= part;
             body.place += shift[i];
             out_.lifted -= shift[i].dot(body.acceleration) / body.inverse_mass;
             if ((body.place - start_.bodies[i].place).norm() > options_.way) return fail(LandingStatus::too_far);

@@ -12,8 +12,9 @@ inline constexpr double overlap_of_rounding = 1e-11;
 /// Gap [smaller radius] that exact solves leave at contacts, more than they may miss: `interior_miss` of a way of
 /// `descent_of_fall` radii, three times as much for light bodies among heavy ones.
 inline constexpr double exact_margin = 1e-10;
-/// Gain of energy [sum of m |a| r over the bodies] that counts as none: all are lifted by `exact_margin`, once.
-inline constexpr double energy_of_rounding = 1e-10;
+/// Gain of energy [sum of m |a| r over the bodies] that counts as none: heaps of ten layers are lifted by
+/// `exact_margin` a layer, once.
+inline constexpr double energy_of_rounding = 1e-9;
 /// Gap [smaller radius] within which a contact takes part in an exact window at any speed: what calm heaps go in one.
 inline constexpr double exact_reach = 0.1;
 /// Ways [1] that the velocity at the start would make, within which a contact takes part in an exact window.
@@ -91,7 +92,16 @@ inline constexpr double interior_step = 0.995;
 /// Mean product of slack and multiplier [scale^2] at the end.
 inline constexpr double interior_complementarity = 1e-13;
 /// Slack [scale] that differs from that of the point at the end.
-inline constexpr double interior_miss = 1e-12;
+inline constexpr double interior_miss = 1e-10;
+/// Slack [scale] that is violated, or that a multiplier bears, in a complete result.
+inline constexpr double interior_accuracy = 1e-11;
+/// Weight [1] of slacks while multipliers are polished: it magnifies the rounding of slacks to 1e-12 of the scale, and
+/// each round leaves 1 / (1 + weight sigma^2) of what it mends, sigma the singular values of the unit normals.
+inline constexpr double polishing_weight = 1e4;
+/// Rounds [1] of polishing, a solve each: eight decades where sigma^2 is 1e-3.
+inline constexpr int most_polishing_rounds = 8;
+/// Slack [scale] that polishing need not mend.
+inline constexpr double polished_enough = 1e-14;
 /// Errors [the least so far] beyond which rounding makes steps worse.
 inline constexpr double interior_diverges = 1e6;
 /// Multiplier [scale] below which a half-space that does not touch pushes nothing.

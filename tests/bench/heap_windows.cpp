@@ -331,7 +331,7 @@ private:
         ++c.landings;
         LandingOptions options;
         options.speed = calm_speed;
-        options.way = 0.1 * smallest_;
+        options.way = 0.3 * smallest_;
         for (std::size_t i = 0; i < balls_.size(); ++i)
             if (!asleep_[i] && balls_[i].velocity.norm() <= calm_speed)
                 options.most_energy += balls_[i].velocity.squaredNorm() / (2 * balls_[i].inverse_mass);
