@@ -85,7 +85,7 @@ inline constexpr int statics_refinements = 2;
 /// Least slack [scale] at the start, far from its bound: no solve for a better one is worth its factor, since changes
 /// are of the size of the scale.
 inline constexpr double first_slack = 0.1;
-/// Multipliers [scale] at the start, likewise.
+/// Multipliers [scale] at the start: of the size of changes, far from 0, for the same reason.
 inline constexpr double first_multiplier = 0.5;
 /// Part [1] of the step to the nearest bound.
 inline constexpr double interior_step = 0.995;
