@@ -116,7 +116,7 @@ private:
             if (!concerns(now_.contacts[i])) continue;
             HalfSpace h = half_space(now_.contacts[i]);
             if (h.offset > 2 * options_.way) continue;
-            h.offset -= landing_margin * radius_of(now_, now_.contacts[i]);
+            h.offset -= std::clamp(h.offset, 0.0, landing_margin * radius_of(now_, now_.contacts[i]));
             projection.half_spaces.push_back(h);
             listed_.push_back(i);
         }
@@ -213,14 +213,7 @@ private:
             ++out_.factorisations;
             const std::optional<Statics> solved = statics(carrying, accelerations_, inverse_masses_);
             if (!solved) return LandingStatus::unbalanced;
-            double largest = 0;
-            for (const double force : solved->forces) largest = std::max(largest, force);
-            bool pulls = false;
-            for (std::size_t k = 0; k < listed_.size(); ++k) {
-                // A contact that bears rounding alone does not carry.
-                out_.forces[listed_[k]] = solved->forces[k] > least_force * largest ? solved->forces[k] : 0;
-                pulls = pulls || !(out_.forces[listed_[k]] > 0);
-            }
+            const bool pulls = take_forces(solved->forces);
             out_.residual = solved->residual;
             if (pulls) continue;
             if (out_.largest_gap < gap_at_rest * radius_) {
@@ -230,6 +223,26 @@ private:
             if (!move(solved->displacement)) return failure_;
         }
         return LandingStatus::unbalanced;
+    }
+
+    /// Takes the forces of the contacts that are listed; those that pull most no longer carry. Not all that pull: where
+    /// the worst is gone others push. \returns whether some pulled, or bore rounding alone
+    bool take_forces(const std::vector<double>& forces)
+    {
+        double largest = 0, least = 0;
+        for (const double force : forces) {
+            largest = std::max(largest, force);
+            least = std::min(least, force);
+        }
+        const double rounding = least_force * largest, bound = -least > rounding ? least / 2 : rounding;
+        bool out = false;
+        for (std::size_t k = 0; k < listed_.size(); ++k) {
+            const bool carries = forces[k] > bound;
+            out = out || !carries;
+            // One that pulls a little is asked again.
+            out_.forces[listed_[k]] = carries ? std::max(forces[k], rounding) : 0;
+        }
+        return out;
     }
 
     bool fail(LandingStatus status)

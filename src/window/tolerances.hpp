@@ -74,7 +74,7 @@ inline constexpr double least_resting = 0.5;
 /// Force [largest] below which a contact carries nothing: rounding of the forces of badly shaped heaps.
 inline constexpr double least_force = 1e-12;
 /// Steps [1] of Newton's method and of contacts that leave it: 3 to 5 are measured.
-inline constexpr int most_newton_steps_of_landing = 20;
+inline constexpr int most_newton_steps_of_landing = 60;
 /// Part [1] by which the diagonal of the products of normals grows, so that dependent normals share a force.
 inline constexpr double statics_regularisation = 1e-13;
 /// Rounds [1] of refinement against the products themselves.

@@ -117,7 +117,9 @@ private:
     {
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             const std::size_t i = contact_of_[k];
-            rows_[k].wanted = (exact_margin * radius_of(problem_, problem_.contacts[i]) - geometry_[i].gap) / h_;
+            // No push: bodies that just fit between others have no room for a margin.
+            const double margin = exact_margin * radius_of(problem_, problem_.contacts[i]), gap = geometry_[i].gap;
+            rows_[k].wanted = (std::clamp(gap, 0.0, margin) - gap) / h_;
         }
         double change = 0;
         for (int i = 0; i < fixed_; ++i)

@@ -99,6 +99,41 @@ TEST_CASE("a pyramid lands with the forces of statics", "[window]")
     CHECK(outcome.largest_gap < 1e-12);
 }
 
+TEST_CASE("a pyramid with more contacts than directions lands on forces that push and balance", "[window]")
+{
+    const double loose = GENERATE(0.0, 1e-6, 1e-3);
+    WindowProblem problem;
+    problem.planes = {{Vec3::UnitZ(), 0, {}},
+                      {Vec3::UnitX(), -2, {}},
+                      {-Vec3::UnitX(), -2, {}},
+                      {Vec3::UnitY(), -2, {}},
+                      {-Vec3::UnitY(), -2, {}}};
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0}) problem.bodies.push_back(ball(Vec3(x, y, 1 + loose), 2));
+    problem.bodies.push_back(ball(Vec3(0, 0, 1 + std::sqrt(2.0) + 2 * loose), 5));
+    test::list_all_contacts(problem, 0);
+    const LandingOutcome outcome = land(problem, calm);
+    REQUIRE(outcome.status == LandingStatus::rests);
+    WindowProblem after = problem;
+    const std::vector<Vec3> places = places_after(problem, outcome);
+    std::vector<Vec3> left;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        after.bodies[i].place = places[i];
+        left.emplace_back(problem.bodies[i].acceleration / problem.bodies[i].inverse_mass);
+    }
+    for (std::size_t k = 0; k < after.contacts.size(); ++k) {
+        const WindowContact& c = after.contacts[k];
+        CHECK(outcome.forces[k] >= 0);
+        const Vec3 push = outcome.forces[k] * geometry(after, c).normal;
+        left[static_cast<std::size_t>(c.a)] += push;
+        if (c.b.is_sphere()) left[static_cast<std::size_t>(c.b.index)] -= push;
+        CHECK(geometry(after, c).gap > -1e-11);
+        if (outcome.forces[k] > 0) CHECK(geometry(after, c).gap < 1e-11);
+    }
+    for (const Vec3& each : left) CHECK(each.norm() < 1e-7);
+    CHECK((places[4] - Vec3(0, 0, 1 + std::sqrt(2.0))).norm() < 1e-10);
+}
+
 TEST_CASE("what is fast, and what nothing holds, is left out of a landing", "[window]")
 {
     WindowProblem problem = pyramid(1.3, 1e-3);
