@@ -93,8 +93,13 @@ private:
                 all_held = resting_ == before;
             }
             for (const Vec3& d : displacement_) way = std::max(way, d.norm());
-            if (!move(displacement_)) return false;
-            if (way < newton_converges * radius_) return true;
+            if (move(displacement_)) {
+                if (way < newton_converges * radius_) return true;
+                continue;
+            }
+            // A shorter fall leaves smaller errors, and the bounds of contacts that touch are kept.
+            fall_of_step_ *= shorter_fall;
+            if (failure_ != LandingStatus::overlaps || fall_of_step_ < least_descent_of_fall) return false;
         }
         return fail(LandingStatus::too_far);
     }
@@ -103,7 +108,7 @@ private:
     {
         number_bodies();
         resting_ = static_cast<int>(inverse_masses_.size());
-        const double square_time = descent_of_fall * radius_ / fall_;
+        const double square_time = fall_of_step_ * radius_ / fall_;
         ProjectionProblem projection;
         projection.w = inverse_masses_;
         double scale = 0;
@@ -254,7 +259,8 @@ private:
     const WindowProblem& start_;
     WindowProblem now_;
     const LandingOptions& options_;
-    double radius_, fall_ = 0;  ///< the smallest radius, the largest acceleration
+    double radius_, fall_ = 0;               ///< the smallest radius, the largest acceleration
+    double fall_of_step_ = descent_of_fall;  ///< [smallest radius]
     int candidates_ = 0, resting_ = 0;
     std::vector<int> number_;  ///< by body, among those that rest
     std::vector<double> inverse_masses_;

@@ -65,6 +65,10 @@ inline constexpr double landing_margin = 1e-9;
 /// Way [smallest radius] of free fall in one step of the descent: far beyond what a calm heap goes, so that the step is
 /// that of the linear program of lowest height but for free directions.
 inline constexpr double descent_of_fall = 16;
+/// Factor [1] of the fall after a step that would overlap.
+inline constexpr double shorter_fall = 1.0 / 16;
+/// Fall [smallest radius] below which no step is tried: a hundred times `newton_converges`.
+inline constexpr double least_descent_of_fall = 1e-2;
 /// Way [smallest radius] of a step below which Newton's method takes over: what it leaves, the square, is below 1e-8.
 inline constexpr double newton_converges = 1e-4;
 /// Steps [1] of the descent, each an interior point solve: near a corner they converge as squares.

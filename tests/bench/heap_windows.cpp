@@ -343,7 +343,7 @@ private:
         c.cpu_landing += cpu() - begun;
         if (out.status != LandingStatus::rests) {
             failed_speed_ = fastest_;
-            windows_to_wait_ = 4;
+            windows_to_wait_ = balls_.size() <= 300 ? 1 : 4;
             return;
         }
         ++c.landed;
