@@ -67,10 +67,12 @@ public:
 
     bool solve()
     {
+        int stalled = 0;
         for (; steps_ < most_interior_steps; ++steps_) {
             double sum = 0, miss = 0;
             UnitVectors pushed(y_.size(), Vector{});
             for (std::size_t i = 0; i < m_; ++i) {
+                s_[i] = std::max(s_[i], l_[i] / largest_stiffness);
                 primal_[i] = normals_[i].dot(y_) + offset_[i] - s_[i];
                 miss = std::max(miss, std::abs(primal_[i]));
                 sum += s_[i] * l_[i];
@@ -82,12 +84,14 @@ public:
                          error = std::max(mu / interior_complementarity, miss / interior_miss);
             // Not a number: rounding has the last word where forces are huge, and the best step before it counts.
             if (!(error < best_error_ * interior_diverges)) return polish();
+            ++stalled;
             if (error < best_error_) {
+                stalled = 0;
                 best_error_ = error;
                 best_ = l_;
                 best_slacks_ = s_;
             }
-            if (error < 1) return polish();
+            if (error < 1 || stalled > most_stalls) return polish();
             step(mu);
         }
         return polish();
@@ -118,7 +122,7 @@ private:
         Scalars l(m_, 0);
         columns_.clear();
         for (std::size_t i = 0; i < m_; ++i) {
-            if (best_[i] < best_slacks_[i] && best_[i] < negligible_multiplier) best_[i] = 0;
+            if (best_[i] < negligible_multiplier * best_slacks_[i]) best_[i] = 0;
             const bool bounds = best_[i] > best_slacks_[i];
             l[i] = best_[i];
             columns_.push_back(normals_[i].scaled(bounds ? std::sqrt(polishing_weight) : 0));

@@ -108,8 +108,13 @@ inline constexpr int most_polishing_rounds = 8;
 inline constexpr double polished_enough = 1e-14;
 /// Errors [the least so far] beyond which rounding makes steps worse.
 inline constexpr double interior_diverges = 1e6;
-/// Multiplier [scale] below which a half-space that does not touch pushes nothing.
-inline constexpr double negligible_multiplier = 1e-12;
+/// Largest ratio [1] of a multiplier to its slack: factors know the unit matrix beside it to a hundredth.
+inline constexpr double largest_stiffness = 1e13;
+/// Steps [1] in a row that improve nothing and are granted all the same: a centring step or two may.
+inline constexpr int most_stalls = 2;
+/// Multiplier [its slack] below which a half-space bounds nothing: without it the point goes less than that part of the
+/// slack.
+inline constexpr double negligible_multiplier = 1e-3;
 /// Steps [1] granted: 12 to 25 are measured.
 inline constexpr int most_interior_steps = 60;
 

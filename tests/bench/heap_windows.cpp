@@ -7,6 +7,7 @@
 #include "window/window.hpp"
 
 #include <array>
+#include <bit>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -95,14 +96,15 @@ public:
             "%.1e) E0, taken: window %.4f restitution %.4f landing %.1e E0 (sum %.1e off), height %.6f m\n"
             "   windows %ld (shortened %ld, infeasible %ld, exact %ld), relaxations a contact and window %.1f, "
             "contacts a ball %.2f, factors %ld, lists %ld; landings %ld of %ld, wakes %ld; cpu: windows %.2f, of it "
-            "exact %.2f, landings %.2f, lists %.2f; residual %.1e g, least force %.1e mg\n",
+            "exact %.2f, landings %.2f, lists %.2f; residual %.1e g, least force %.1e mg, fingerprint %016llx\n",
             balls_.size(), restitution_, cpu_, time_, awake() ? "not all rest" : "all rest", resting, sliding,
             c.least_gap, c.rises, c.largest_rise, c.window_energy / start_energy_, c.rebound_energy / start_energy_,
             c.landing_energy / start_energy_,
             (start_energy_ - energy() - c.window_energy - c.rebound_energy - c.landing_energy) / start_energy_,
             height / mass, c.windows, c.shortened, c.infeasible, c.exact, double(c.relaxations) / double(c.contacts),
             double(c.contacts) / double(c.windows) / double(balls_.size()), c.factors, c.lists, c.landed, c.landings,
-            c.wakes, c.cpu_window, c.cpu_exact, c.cpu_landing, c.cpu_lists, residual_, least_force_);
+            c.wakes, c.cpu_window, c.cpu_exact, c.cpu_landing, c.cpu_lists, residual_, least_force_,
+            static_cast<unsigned long long>(fingerprint()));
     }
 
 private:
@@ -111,6 +113,14 @@ private:
         double out = 0;
         for (const WindowBody& ball : balls_)
             out += (ball.velocity.squaredNorm() / 2 + gravity * ball.place.z()) / ball.inverse_mass;
+        return out;
+    }
+    /// Of the bits of all places, FNV-1a: the same for every compiler.
+    std::uint64_t fingerprint() const
+    {
+        std::uint64_t out = 0xcbf29ce484222325;
+        for (const WindowBody& ball : balls_)
+            for (int k = 0; k < 3; ++k) out = (out ^ std::bit_cast<std::uint64_t>(ball.place[k])) * 0x100000001b3;
         return out;
     }
     int awake() const { return static_cast<int>(std::count(asleep_.begin(), asleep_.end(), 0)); }
@@ -343,7 +353,7 @@ private:
         c.cpu_landing += cpu() - begun;
         if (out.status != LandingStatus::rests) {
             failed_speed_ = fastest_;
-            windows_to_wait_ = balls_.size() <= 300 ? 1 : 4;
+            windows_to_wait_ = balls_.size() <= 100 ? 1 : 4;
             return;
         }
         ++c.landed;
