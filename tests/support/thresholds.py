@@ -46,6 +46,7 @@ ROOMS = {
     "broad": STAYS,
     "queue": STAYS,
     "contact": STAYS,
+    "window": STAYS,
     "impact": STAYS,
     "motion": STAYS,
     "gather": STAYS,

@@ -1,0 +1,21 @@
+/// \file
+/// Forces of contacts that carry, and the shortest displacement that closes their gaps, from one sparse factor.
+#pragma once
+
+#include "projection/half_space.hpp"
+
+namespace carom {
+
+struct Statics {
+    std::vector<double> forces;      ///< [force] by half-space: they leave the least acceleration
+    double residual = 0;             ///< [acceleration] largest of a body under its load and the forces
+    std::vector<Vec3> displacement;  ///< by body: shortest in the metric of mass that makes the offsets 0
+};
+
+/// \param contacts those that carry; offsets are gaps [length]
+/// \param accelerations of bodies without contacts [acceleration] \param inverse_masses > 0
+/// \returns nothing where the normals depend on each other beyond what regularisation bears
+std::optional<Statics> statics(const std::vector<HalfSpace>& contacts, const std::vector<Vec3>& accelerations,
+                               const std::vector<double>& inverse_masses);
+
+}  // namespace carom
