@@ -35,8 +35,9 @@ enum class ContactOrder : std::uint8_t { index, reverse, random, deepest, jacobi
 inline constexpr std::array<std::string_view, 6> contact_order_names{"index",   "reverse", "random",
                                                                      "deepest", "jacobi",  "shock"};
 
-/// Motion of a discrete method between its contacts, with h = dt / substeps. `euler`: semi-implicit Euler, v += h g,
-/// then p += h v. `parabola`: p += h v + h^2 g / 2, v += h g, which is exact in flight.
+/// Motion of a discrete method between its contacts, with h = dt / substeps and drag k. `euler`: semi-implicit Euler,
+/// v += h (g - k v), then p += h v, for h k < 2. `parabola`: exact in flight, p += h v + h^2 g / 2, v += h g without
+/// drag, with it the damped path of FlightRecord.
 enum class Integrator : std::uint8_t { euler, parabola };
 inline constexpr std::array<std::string_view, 2> integrator_names{"euler", "parabola"};
 
