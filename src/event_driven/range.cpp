@@ -23,9 +23,9 @@ std::string too_large(const std::string& what, double x, const char* limit = "2^
     return what + " of " + to_text(x) + " is beyond " + limit + ", where products leave the range of doubles";
 }
 
-std::string too_small(const std::string& what, double x)
+std::string too_small(const std::string& what, double x, const char* limit = "2^-400")
 {
-    return what + " of " + to_text(x) + " is below 2^-400, where products leave the range of doubles";
+    return what + " of " + to_text(x) + " is below " + limit + ", where products leave the range of doubles";
 }
 
 std::string of_sphere(const Sphere& s)
@@ -60,6 +60,8 @@ std::string out_of_range(const Scene& scene, double until)
     if (!(std::max(until, scene.end_time) <= longest_run))
         return too_large("a time", std::max(until, scene.end_time), "2^800");
     if (!(largest(scene.gravity) <= largest_size)) return too_large("an acceleration", largest(scene.gravity));
+    if (const double g = largest(scene.gravity); g > 0 && g < weakest_gravity)
+        return too_small("an acceleration", g, "2^-1000");
     if (!(scene.drag <= largest_size)) return too_large("a drag", scene.drag);
     if (!(scene.drag * until <= longest_run)) return too_large("drag times the end", scene.drag * until, "2^800");
     double heaviest = 0, lightest = std::numeric_limits<double>::infinity(), fastest = 0;

@@ -17,6 +17,9 @@ namespace carom {
 inline constexpr double largest_size = 0x1p400;
 /// Smallest radius and mass [unit]: likewise.
 inline constexpr double smallest_size = 0x1p-400;
+/// Weakest gravity but none [length/time^2]: 2^22 above the least normal number, so that 1e-9 of it, which solvers
+/// divide by, keeps digits.
+inline constexpr double weakest_gravity = 0x1p-1000;
 /// Longest time [time]: its product with a speed is looked at by itself, see `longest_flight`.
 inline constexpr double longest_run = 0x1p800;
 /// Longest flight [length]: what times of impact take.

@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 
 namespace carom {
 
@@ -68,7 +69,7 @@ private:
                 if (may_close(c, own.velocity + length_ * gravity_, near_contact * state_.radius(body)))
                     contacts.push_back({body, c});
             }
-            for (const BodyId other : neighbourhood_(body)) {
+            for (const BodyId other : ascending(neighbourhood_(body))) {
                 if (!may_touch(state_, body, own, other, near_contact * state_.radius(body))) continue;
                 const auto pair = std::minmax(body, other);
                 if (found.contains(pair)) continue;
@@ -85,6 +86,15 @@ private:
             }
         }
         number_bodies(state_, {members.begin(), members.end()}, std::move(contacts), component_);
+    }
+
+    /// Bodies in an order that is that of every broad phase: which are looked at first decides the order of contacts,
+    /// and what is left out where enough are found.
+    static std::vector<BodyId> ascending(std::span<const BodyId> bodies)
+    {
+        std::vector<BodyId> out(bodies.begin(), bodies.end());
+        std::sort(out.begin(), out.end());
+        return out;
     }
 
     bool may_close(const Contact& t, const Vec3& relative, double margin) const

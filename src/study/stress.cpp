@@ -104,12 +104,13 @@ std::string finding(const Evidence& evidence, Symptom symptom)
     return findings[static_cast<std::size_t>(symptom)];
 }
 
-/// Whether a method looks for contacts at the ends of its steps alone. Causes, those of the cases too, are of such
-/// methods; others search the step for contacts, or foresee them.
-bool looks_at_ends_of_steps(const std::string& method)
+/// Whether the causes, those of the cases too, are this method's: they are of methods that look for contacts at the
+/// ends of their steps alone. `toi` searches the step, `speculative` foresees contacts, and `bisection` goes back into
+/// a step at whose end there is an overlap.
+bool has_causes(const std::string& method, Symptom symptom)
 {
-    constexpr std::array<std::string_view, 3> others{"toi", "bisection", "speculative"};
-    return std::find(others.begin(), others.end(), method) == others.end();
+    if (method == "bisection") return symptom == Symptom::missed;
+    return method != "toi" && method != "speculative";
 }
 
 /// Causes that hold wherever a case names none of its own, by Symptom.
@@ -125,7 +126,7 @@ constexpr std::array<std::string_view, symptom_names.size()> general_causes{
 
 std::string explain(const StressPart& words, const std::string& method, const Evidence& evidence, Symptom symptom)
 {
-    if (!looks_at_ends_of_steps(method)) return finding(evidence, symptom);
+    if (!has_causes(method, symptom)) return finding(evidence, symptom);
     const auto own = words.causes.find(symptom);
     const std::string cause(own != words.causes.end() ? own->second : name_of(symptom, general_causes));
     return finding(evidence, symptom) + (cause.empty() ? "" : ": " + cause);

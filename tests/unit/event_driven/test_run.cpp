@@ -122,6 +122,19 @@ TEST_CASE("a run to t is the beginning of a run beyond t")
     CHECK(part.outcome.time == 2);
 }
 
+TEST_CASE("gravity that is no normal number is refused before the run, and the weakest one is not")
+{
+    for (const double g : {5e-324, 2e-308, 0x1p-1001, 0x1p-1000}) {
+        Scene scene = empty_scene(1, {0, 0, -g});
+        add_floor(scene);
+        add_sphere(scene, 1, {0, 0, 1});
+        const Outcome out = record(scene).outcome;
+        CAPTURE(g, out.message);
+        CHECK((out.status == Status::unresolved) == (g < 0x1p-1000));
+        for (const BodyState& end : out.final) CHECK(end.position.allFinite());
+    }
+}
+
 TEST_CASE("a plate is hit from both sides and never passed, however thin and fast")
 {
     for (const double thickness : {0.0, 1e-6, 0.2}) {
