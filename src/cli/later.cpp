@@ -19,7 +19,7 @@ bool contains(const List& list, std::string_view word)
 
 std::string refusal(std::string_view what)
 {
-    return std::string(what) + ": not yet (planned, see the contract)";
+    return std::string(what) + ": not yet (planned)";
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ void show(const std::string& what, const GlobalArguments& global, const Console&
     for (const Plane& plane : scene.planes) planes += (&plane == &scene.planes.front() ? ": " : ", ") + plane.id;
     lines.push_back({"planes", planes});
     lines.push_back({"gravity", fmt::format("{} {} {}", scene.gravity[0], scene.gravity[1], scene.gravity[2])});
+    if (scene.drag > 0) lines.push_back({"drag", fmt::format("{}", scene.drag)});
     lines.push_back(
         {"end time", fmt::format("{}{}{}", scene.end_time, scene.units.time.empty() ? "" : " ", scene.units.time)});
     lines.push_back({"checks", std::to_string(scene.checks.size())});

@@ -1,6 +1,7 @@
 /// \file
 /// The rate of impacts. More of them within one window than separate contacts explain are a Zeno point that nothing
-/// sums. The bound is B n for n connected bodies; windows follow one another (docs/impacts.md, section 7).
+/// sums. The bound is B n for n connected bodies, more for those that are no heap; windows follow one another
+/// (docs/impacts.md, section 7).
 #pragma once
 
 #include "gather/tolerances.hpp"

@@ -31,6 +31,8 @@ void rest_early(const State& state, const Key& key, const Vec3& normal, double w
                 EventOutcome& out)
 {
     settle(state, key.b.index, change);
+    out.events.push_back(
+        make_event(state, EventKind::settle, key.a, key.b, normal, -w * state.sphere(key.a).mass * normal));
     out.events.push_back(make_event(state, EventKind::rest, key.a, key.b, normal));
     out.early_rest = {key.a, time};
     out.taken.settling += state.sphere(key.a).mass * w * w / 2;

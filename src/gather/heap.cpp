@@ -14,8 +14,8 @@ bool is_in_heap(const State& state, BodyId body, const EpochTime& now, const Nei
         const BodyId own = members[k];
         if (state.bodies.is_in_piece(own) || members.size() > largest_group) return true;
         const Flight flight = advanced(state, own, now);
-        const double margin = heap_reach * state.radius(own);
         for (const BodyId other : neighbourhood(own)) {
+            const double margin = heap_reach * std::min(state.radius(own), state.radius(other));
             if (state.is_fixed(other) || !may_touch(state, own, flight, other, margin)) continue;
             const double reach = state.radius(own) + state.radius(other) + margin;
             const Vec3 apart = separation(state.frame, flight.place, advanced(state, other, now).place);

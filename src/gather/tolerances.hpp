@@ -21,7 +21,7 @@ inline constexpr double near_contact = 1e-3;
 
 // Heaps, which thresholds are for.
 
-/// Gap [radius] up to which bodies are of one heap. Broad phases show pairs that are up to 1.6e-2 apart.
+/// Gap [smaller radius] up to which bodies are of one heap. Broad phases show pairs that are up to 1.6e-2 apart.
 inline constexpr double heap_reach = 1e-2;
 /// Bodies [1] so near each other that are no heap: where more bounce together, windows are cheaper than their bounces.
 /// No derivation.

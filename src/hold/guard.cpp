@@ -66,7 +66,7 @@ private:
             const Flight own = members.at(body);
             for (int p = 0; p < state_.planes(); ++p) {
                 const Contact c = plane_contact(state_, body, own, p);
-                if (may_close(c, own.velocity + length_ * gravity_, near_contact * state_.radius(body)))
+                if (may_close(c, velocity_after(own.velocity, gravity_, damped_), near_contact * state_.radius(body)))
                     contacts.push_back({body, c});
             }
             for (const BodyId other : ascending(neighbourhood_(body))) {

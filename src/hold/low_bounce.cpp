@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 
@@ -29,12 +30,17 @@ DampedBounces damped_bounces(const State& state, const Key& key, const Flight& f
 {
     const double loss = 1 - law.restitution, scale = state.radius(key.a) + state.frame.cell_size;
     // A bounce loses 1 - e of its speed to the plane and 2 k w / 3 g to drag, so that with e = 1 some 3 g / (2 k w)
-    // are to come until the last speed w that is no rest.
+    // are to come until the last speed w that is no rest, and in the time T that is left g/2w a time, e^(k T / 3) times
+    // as many a time in the end.
     const double last = std::sqrt(2 * rest_height * scale) * std::sqrt(gravity);
     const double by_drag = 1.5 * gravity / state.drag / last;
-    if (std::min(bounces_of_rounding / loss, by_drag) > most_bounces) {
+    const double left = state.scene.end_time - state.frame.seconds(key.time), grown = state.drag * left / 3;
+    const double until_end = left > 0 && grown < most_growth ? gravity / (2 * w) * left * exponential(grown)
+                                                             : std::numeric_limits<double>::infinity();
+    if (std::min({bounces_of_rounding / loss, by_drag, until_end}) > most_bounces) {
         if (!(w < state.rest.closing_speed) || state.scene.rest.policy != RestPolicy::contact) return {};
-        return {.early = std::min(2 * w / gravity / loss, 3 / state.drag * logarithm(std::max(w / last, 1.0)))};
+        const double early = std::min(2 * w / gravity / loss, 3 / state.drag * logarithm(std::max(w / last, 1.0)));
+        return {.early = left > 0 ? std::min(early, left) : early};
     }
     return {.die_out = is_apart(state, flight, key.a, key.b, neighbourhood)};
 }

@@ -22,6 +22,12 @@ inline constexpr double opening_speed = 2 * normal_speed_rounding;
 /// is rounding of the speeds.
 inline constexpr int most_pushes = 40;
 
+// Low bounces under drag.
+
+/// Growth [exponent of e] of the number of bounces a time until the end of a run, beyond which there are too many of
+/// them anyhow: e^50 is 5e21.
+inline constexpr double most_growth = 50;
+
 // Numeric steps.
 
 /// Disagreement [smallest radius] of the middle stages of a step, as a distance, see NumericCluster: a ball that rolls

@@ -221,7 +221,8 @@ NumericStep numeric_step(const NumericCluster& cluster, double h)
         for (std::size_t i = 0; i < cluster.contacts.size(); ++i)
             if (start.forces[i] > 0 && opening(cluster, end.at_end, i) > 0) out.opened.push_back(i);
     out.integrated = end.bodies;
-    const double before = energy(cluster, cluster.bodies);
+    // Without drag the start has the energy that an exact step would end with; what drag takes is its work.
+    const double before = energy(cluster, cluster.drag > 0 ? out.integrated : cluster.bodies);
     put_back(cluster, end.at_end.forces, end.bodies);
     out.correction = before - energy(cluster, end.bodies);
     out.bodies = std::move(end.bodies);

@@ -112,7 +112,18 @@ bool SceneThrows::is_crowded(double start, double dt) const
 /// Steps in which the body would be through, were nothing in its way, by its speed along the normal.
 double SceneThrows::closing_steps(double dt) const
 {
-    const double closing = truth_.contacts[contact_].speed_change / 2;
+    const study::TruthContact& contact = truth_.contacts[contact_];
+    const study::TruthState a = truth_.state_before(contact.a, contact.time);
+    const auto partner = static_cast<std::size_t>(contact.b);
+    study::TruthState b;
+    Vec3 normal;
+    if (partner < scene_.spheres.size()) {
+        b = truth_.state_before(contact.b, contact.time);
+        normal = (a.position - b.position).normalized();
+    } else {
+        normal = scene_.planes[partner - scene_.spheres.size()].normal;
+    }
+    const double closing = std::abs(normal.dot(a.velocity - b.velocity));
     return 2 * cell(dt).reach() / (closing * dt);
 }
 

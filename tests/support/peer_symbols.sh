@@ -8,7 +8,7 @@ used='(\bfcl::|\bU ccd[A-Z])'
 
 for peer in fcl ccd; do
     linked=no wanted=no
-    ldd "$tool" | grep -q "lib$peer\.so" && linked=yes
+    ldd "$tool" | grep "lib$peer\.so" >/dev/null && linked=yes
     for each in "$@"; do [ "$each" != "$peer" ] || wanted=yes; done
     # libfcl brings libccd along, whether the tool uses it or not.
     if [ "$linked" != "$wanted" ] && ! { [ $peer = ccd ] && [ $linked = yes ]; }; then

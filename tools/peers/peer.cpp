@@ -89,6 +89,8 @@ std::vector<BodyState> states_of(const Engine& engine, std::size_t spheres)
 void run(const Arguments& arguments)
 {
     const Scene scene = read_scene(find_scene(arguments.scene, CAROM_SCENE_DIR));
+    if (scene.drag > 0)
+        throw std::invalid_argument("/drag: the engines beside have no linear drag as carom means it (leave it out)");
     Settings settings;
     settings.dt = arguments.number("--dt", settings.dt);
     settings.defaults = arguments.has("--defaults");

@@ -157,20 +157,42 @@ TEST_CASE("a ball that bounces on a fixed one under drag comes to rest as 50 dig
     CHECK(run.outcome.max_penetration < 1e-15);
 }
 
-TEST_CASE("more than a million bounces to come are cut short by a threshold, and the body is named", "[drag]")
+TEST_CASE("a ball with more than a million bounces to come rests by a threshold, and is named with what that took",
+          "[drag]")
 {
     for (const double e : {1.0, 1 - 1e-7}) {
-        Scene scene = dropped(1e-6, 0.5, e, 1);
+        Scene scene = dropped(1e-6, 0.5, e, 1000);
         scene.rest.closing_speed = 0.01;
-        const Outcome out = record(scene).outcome;
+        const Recorded run = record(scene);
+        const Outcome& out = run.outcome;
         REQUIRE(out.status == Status::reached_end);
         REQUIRE(out.early_rest);
         CHECK(out.early_rest->body == 0);
         CHECK(out.early_rest->time > 1);
+        CHECK(out.early_rest->time < 1000);
         CHECK(out.energy_taken.settling == Approx(1e-6 * g).epsilon(1e-2));
         CHECK(out.counts.impacts == 1);
+        REQUIRE(run.events.size() == 3);
+        CHECK(run.events[1].kind == EventKind::settle);
+        CHECK(run.events[1].impulse.z() == Approx(-std::sqrt(2 * g * 1e-6)).epsilon(1e-2));
+        CHECK(run.events[2].kind == EventKind::rest);
     }
     CHECK_FALSE(record(dropped(1e-6, 0.5, 0.999, 5)).outcome.early_rest);
+}
+
+TEST_CASE("an elastic ball bounces on under drag where the end of the scene comes before a million bounces", "[drag]")
+{
+    // Without drag: a bounce every 2 w / g with w^2 = 2 g h. Drag takes 2 k w / 3 g of the speed of each.
+    for (const double k : {1e-310, 1e-9, 0.5}) {
+        Scene scene = dropped(1e-6, k, 1, 1);
+        const Outcome out = record(scene).outcome;
+        REQUIRE(out.status == Status::reached_end);
+        CAPTURE(k);
+        CHECK_FALSE(out.early_rest);
+        const double w = std::sqrt(2 * g * 1e-6), grown = k / 3;
+        const double bounces = g / (2 * w) * (grown > 1e-6 ? std::expm1(grown) / grown : 1);
+        CHECK(static_cast<double>(out.counts.impacts) == Approx(bounces).epsilon(1e-2));
+    }
 }
 
 TEST_CASE("a ball falls no faster than g/k, and at that speed in the end", "[drag]")
@@ -307,6 +329,8 @@ TEST_CASE("a ball that rolls off a fixed one under drag follows the equation of 
     const double theta = (4 * integrate(2000) - integrate(1000)) / 3;
     CHECK(std::atan2(out.final[1].position.x(), out.final[1].position.z()) == Approx(theta).epsilon(1e-7));
     CHECK(out.final[1].position.norm() == Approx(1).epsilon(1e-12));
+    // What drag takes, 0.1, is its work and no error of the steps.
+    CHECK(std::abs(out.energy_taken.stabilising) < 1e-6);
 }
 
 TEST_CASE("a scene without drag runs on the damped kernel with the bits of the general one", "[drag][kernels]")
