@@ -1,5 +1,5 @@
 /// \file
-/// What else goes on around each sphere in an interval, so that one contact is not blamed for another.
+/// Disturbances around each sphere in an interval, looked at so that one contact is not blamed for another.
 #pragma once
 
 #include "audit/interval.hpp"

@@ -26,11 +26,11 @@ struct Window {
     std::size_t begin = 0;    ///< index of the frame at which the interval begins; it ends at the next one
     bool from_start = false;  ///< the first of the frames is the start of the scene
     double time_error = 0;    ///< of each frame [time]
-    /// By sphere: the largest speed that two frames of the trace have shown so far [length/time].
+    /// Largest speeds by sphere that two frames of the trace have shown so far [length/time].
     std::span<const double> fastest;
 };
 
-/// What frames say of one body in an interval.
+/// Motion of one body in an interval, as frames show it.
 enum class Course : std::uint8_t {
     unknown,  ///< no flight before: in contact, or two contacts within few frames
     kept,     ///< it is on the same flight after the interval

@@ -17,7 +17,7 @@ public:
     /// Looks at the frame `to`, which comes after `from` or is the same, and among spheres at the pairs given and at
     /// what overlapped before. \return the overlaps that have ended
     std::vector<Finding> look(const SeenFrame& from, const SeenFrame& to, const std::vector<Pair>& near);
-    /// Those that have not.
+    /// Overlaps that have not ended.
     std::vector<Finding> rest() const;
 
     Pairs pairs() const;

@@ -1,5 +1,5 @@
 /// \file
-/// What an audit finds in a trace.
+/// Findings of the audit of a trace.
 #pragma once
 
 #include <carom/progress.hpp>

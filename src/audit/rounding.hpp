@@ -25,7 +25,7 @@ private:
     int digits_ = 0, decimals_ = 0;
 };
 
-/// What is unknown of the numbers of a trace.
+/// Errors of the numbers of a trace, which are rounded.
 struct TraceRounding {
     Rounding places;
     double time = 0;  ///< of a frame, at most [time]

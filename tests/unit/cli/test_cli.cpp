@@ -1,3 +1,4 @@
+#include "ball_folder.hpp"
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
 #include "io/compare_files.hpp"
@@ -17,47 +18,11 @@
 
 using namespace carom::cli;
 using carom::test::carom_tool;
+using carom::test::Folder;
 using carom::test::Said;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 namespace fs = std::filesystem;
-
-namespace {
-
-constexpr const char* ball_scene =
-    R"({"format": "carom-scene/1", "name": "Ball", "gravity": [0, 0, -9.81], "end_time": 1,
- "units": {"length": "m", "time": "s", "mass": "kg"},
- "materials": {"rubber": {"restitution": 0.8}},
- "spheres": [{"id": "ball", "radius": 0.1, "position": [0, 0, 1.1], "velocity": [0.2, 0, 0], "material": "rubber"}],
- "planes": [{"id": "floor", "normal": [0, 0, 1], "offset": 0, "material": "rubber"}],
- "compare": {"methods": ["event", "pbd"], "dt": ["1/60"]}})";
-
-/// A folder for one test, gone afterwards.
-class Folder {
-public:
-    Folder() : path_(fs::temp_directory_path() / ("carom-cli-" + std::to_string(::getpid())))
-    {
-        fs::remove_all(path_);
-        fs::create_directories(path_);
-        write("ball.json", ball_scene);
-    }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-    void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
-    std::string read(const std::string& name) const
-    {
-        std::ifstream stream(path_ / name);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-
-private:
-    fs::path path_;
-};
-
-}  // namespace
 
 TEST_CASE("run says what happened, as a table or as JSON and nothing else", "[cli]")
 {
@@ -313,64 +278,6 @@ TEST_CASE("stress says who passes and why others fail, in a table, as JSON and i
     CHECK(unknown.code == exit_usage);
     CHECK_THAT(unknown.err, Contains("grazing"));
     CHECK(carom_tool({"stress", "--methods", "magic"}).code == exit_usage);
-}
-
-TEST_CASE("verify certifies a recorded run, refuses a damaged one, and tells what does not hold", "[cli]")
-{
-    const Folder folder;
-    REQUIRE(carom_tool({"run", folder / "ball.json", "-o", folder / "run"}).code == exit_ok);
-    for (const std::string& run : {folder / "run", folder / "run/run.carom"}) {
-        const Said table = carom_tool({"verify", run});
-        CHECK(table.code == exit_ok);
-        CHECK(table.err.empty());
-        CHECK_THAT(table.out, Contains("holds") && Contains("complete") && Contains("smallest gap"));
-    }
-    const json run = json::parse(folder.read("run/run.json")),
-               data = json::parse(carom_tool({"verify", folder / "run", "--json"}).out);
-    CHECK(data["format"] == "carom-verify/1");
-    CHECK(data["holds"] == true);
-    CHECK(data["event_hash"] == run["event_hash"]);
-    CHECK(data["impulses"] == 1);
-    CHECK(data["body_seconds"]["not_certified"] == 0);
-
-    std::string bytes = folder.read("run/run.carom");
-    bytes[bytes.find("carom-recording/3") + 3] ^= 1;
-    folder.write("damaged.carom", bytes);
-    const Said damaged = carom_tool({"verify", folder / "damaged.carom"});
-    CHECK(damaged.code == exit_bad_input);
-    CHECK_THAT(damaged.err, Contains("damaged"));
-    CHECK(carom_tool({"verify", folder / "nothing"}).code == exit_bad_input);
-    CHECK(carom_tool({"verify", folder / "ball.json"}).code == exit_bad_input);
-
-    // A recording of a ball that falls through the floor, by a writer of its own.
-    carom::Scene scene = carom::read_scene(folder / "ball.json");
-    {
-        carom::RecordingWriter writer(folder / "forged.carom", scene);
-        carom::Observer observer;
-        observer.on_frame = [&](const carom::RunFrame& frame) { writer.on_frame(frame); };
-        bool first = true;
-        observer.on_flight = [&](const carom::FlightRecord& flight) {
-            if (first) writer.on_flight(flight);
-            first = false;
-        };
-        carom::Outcome outcome = carom::simulate(scene, carom::EventDriven{}, {}, observer);
-        writer.finish(outcome);
-    }
-    const Said forged = carom_tool({"verify", folder / "forged.carom"});
-    CHECK(forged.code == exit_check_failed);
-    CHECK_THAT(forged.out, Contains("DOES NOT HOLD"));
-    CHECK_THAT(forged.err, Contains("overlap") && Contains("event hash"));
-    CHECK(json::parse(carom_tool({"verify", folder / "forged.carom", "--json"}).out)["violations"][1]["b"] == "floor");
-}
-
-TEST_CASE("a discrete method has no flights to record, and says so", "[cli]")
-{
-    const Folder folder;
-    const Said said = carom_tool({"run", folder / "ball.json", "--method", "pbd", "-o", folder / "run"});
-    CHECK(said.code == exit_ok);
-    CHECK_THAT(said.err, Contains("no flights to record"));
-    CHECK_FALSE(fs::exists(folder / "run/run.carom"));
-    CHECK(fs::exists(folder / "run/run.json"));
 }
 
 TEST_CASE("run and explain say how several contacts, rest and accumulating impacts are answered", "[cli]")
