@@ -1,12 +1,14 @@
 #include "study/search_words.hpp"
 
 #include "study/share.hpp"
+#include "study/step_scan.hpp"
 #include "study/tolerances.hpp"
 #include "study/words.hpp"
 
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace carom::study {
 
@@ -22,6 +24,41 @@ std::string percent_with_interval(std::int64_t part, std::int64_t whole)
 std::string order_text(const Convergence& fit)
 {
     return fit.method + fit.variant + " as dt^" + two_digits(fit.order) + " +- " + two_digits(fit.uncertainty);
+}
+
+/// "9, from 1e-6 to 1/60"
+std::string tried_text(const std::vector<StepSearch::Try>& tries)
+{
+    if (tries.empty()) return "none tried";
+    if (tries.size() == 1) return "1 tried, " + step_text(tries.front().dt);
+    return std::to_string(tries.size()) + " tried, from " + step_text(tries.front().dt) + " to " +
+           step_text(tries.back().dt);
+}
+
+/// "dt = 6.8e-5 is enough: all 66 steps tried from 1.7e-5 up to it keep within a position error of 1 mm, ..."
+std::string found_text(const VerdictWords& words, const StepSearch& search, const SearchFigures& figures)
+{
+    const double dt = *search.row->dt;
+    std::string text = "dt = " + step_text(dt) + " is enough: ";
+    if (figures.held > 1)
+        text += "all " + std::to_string(figures.held) + " steps tried from " + step_text(search.tries.front().dt) +
+                " up to it keep within " + words.tolerance() + ", the worst is off by " +
+                words.length(figures.worst_error);
+    else
+        text += "it keeps within " + words.tolerance() + ", off by " + words.length(figures.worst_error);
+    if (!search.is_complete)
+        text += "; not all steps that a search tries were run, for its " + seconds_text(search_budget) + " were over";
+    text += "; it costs " + words.cost(*search.row);
+    if (figures.too_far) {
+        text += "; at " + step_text(figures.too_far->dt) + " it ";
+        text += !figures.too_far->error ? "blows up"
+                : *figures.too_far->error > words.comparison().tolerance
+                    ? "is off by " + words.length(*figures.too_far->error)
+                    : "misses an impact";
+    } else if (dt == search.largest) {
+        text += "; larger steps are not tried (up to an eighth of the run and 16 times the largest asked for)";
+    }
+    return text;
 }
 
 }  // namespace
@@ -44,21 +81,19 @@ std::string audit_clause(const CompareRow& row)
 std::string search_sentence(const VerdictWords& words, const StepSearch& search)
 {
     const std::string what = search.method + search.variant + words.while_known() + ": ";
-    if (search.end == StepSearch::End::found && search.row) {
-        std::string text = what + "dt = " + step_text(*search.row->dt) +
-                           " is the largest step from which all smaller ones tried keep within " + words.tolerance() +
-                           "; it costs " + words.cost(*search.row);
-        if (search.too_far && search.too_far_error)
-            text += "; at " + step_text(*search.too_far) + " it is off by " + words.length(*search.too_far_error);
-        return text + audit_clause(*search.row) + ".";
-    }
-    if (!search.best_error) return what + "no step tried gave a finite answer.";
-    const std::string best = words.length(*search.best_error) + " at dt = " + step_text(*search.best_step);
-    if (search.end == StepSearch::End::stalls)
-        return what + "no step keeps within " + words.tolerance() + ": the error stalls, smaller steps leave it at " +
-               best + ".";
-    return what + "no step that can be run in " + seconds_text(search_budget) + " keeps within " + words.tolerance() +
-           " (best " + best + ").";
+    const SearchFigures figures = figures_of(search);
+    if (search.end == StepSearch::End::found && search.row)
+        return what + found_text(words, search, figures) + audit_clause(*search.row) + ".";
+    if (!search.tries.empty() && search.tries.front().holds) return what + "the search was interrupted.";
+    if (!figures.best) return what + "no step tried gave a finite answer (" + tried_text(search.tries) + ").";
+    if (figures.lucky > 0)
+        return what + "no step tried is safe: " + std::to_string(figures.lucky) + " of " + tried_text(search.tries) +
+               ", keep within " + words.tolerance() + ", but not the smaller " + step_text(figures.fails->dt) + ".";
+    return what + "no step tried keeps within " + words.tolerance() + " (" + tried_text(search.tries) + "; best " +
+           words.length(*figures.best->error) + " at dt = " + step_text(figures.best->dt) +
+           (search.end == StepSearch::End::stalls
+                ? "), and errors no longer fall."
+                : "); smaller ones would take more than " + seconds_text(search_budget) + " of runs.");
 }
 
 std::string convergence_sentence(const VerdictWords& words)

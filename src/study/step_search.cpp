@@ -4,6 +4,7 @@
 #include "study/fit_orders.hpp"
 #include "study/row.hpp"
 #include "study/row_family.hpp"
+#include "study/step_scan.hpp"
 #include "study/tolerances.hpp"
 #include "study/verdict_words.hpp"
 #include "study/words.hpp"
@@ -30,54 +31,55 @@ RowPlan with_step(const RowPlan& plan, double dt)
 /// Runs of one family, and what they said.
 class Search {
 public:
-    Search(const RowMeasurer& measurer, const RowPlan& plan, double tolerance)
-        : measurer_(measurer), plan_(plan), tolerance_(tolerance)
-    {
-        exact_ = exact_error(measurer.scene, measurer.compared.reference.bound);
-    }
+    /// \param known rows measured before; those of the family are tries
+    Search(const RowMeasurer& measurer, const RowPlan& plan, double tolerance, std::span<const CompareRow> known);
 
-    /// \param known rows measured before
-    StepSearch run(std::span<const CompareRow> known);
+    StepSearch run();
 
 private:
-    struct Probe {
-        double dt;
-        double error;  ///< infinite where there is none [length]
-        bool holds;
-    };
-
-    /// Whether `dt` holds; false too where the search may not go on.
-    bool holds(double dt);
     bool may_run(double dt) const;
-    bool is_over() const { return ended_ || static_cast<int>(probes_.size()) >= most_probes; }
-    /// From the largest step to the smallest, those with an error.
-    std::vector<StepError> errors() const;
-    double failing_below(std::span<const CompareRow> known) const;
-    double search_down(double dt);
-    double search_up(double dt);
-    void bisect();
+    /// Runs `dt`; false where the search may not go on.
+    bool try_step(double dt);
+    /// Errors no longer fall, as far as steps were tried that nobody takes for the beginning.
+    bool is_stalled() const;
 
     const RowMeasurer& measurer_;
     const RowPlan& plan_;
-    double tolerance_, exact_ = 0;
-    std::vector<Probe> probes_;
+    double tolerance_, exact_, first_, largest_;
+    StepScan scan_;
     double spent_ = 0, last_rate_ = 0;  ///< CPU time so far [s], of the last run for one step of it [s]
-    bool ended_ = false;
-    double enough_ = 0, too_far_ = 0;  ///< 0 as long as there is none [time]
 };
+
+StepSearch::Try try_of(double dt, const CompareRow& row, double tolerance)
+{
+    StepSearch::Try result{dt, row.position_max, holds(row, tolerance)};
+    if (result.error && !std::isfinite(*result.error)) result.error.reset();
+    return result;
+}
+
+Search::Search(const RowMeasurer& measurer, const RowPlan& plan, double tolerance, std::span<const CompareRow> known)
+    : measurer_(measurer),
+      plan_(plan),
+      tolerance_(tolerance),
+      exact_(exact_error(measurer.scene, measurer.compared.reference.bound)),
+      first_(step_options(plan.method)->dt),
+      largest_(longest_searched_step(measurer.compared.until, first_)),
+      scan_(first_, largest_)
+{
+    CompareRow own;
+    describe(plan_, own);
+    for (const CompareRow& row : known)
+        if (row.dt && family_of(row) == family_of(own)) scan_.add(try_of(*row.dt, row, tolerance));
+}
 
 bool Search::may_run(double dt) const
 {
-    return spent_ + last_rate_ * measurer_.compared.until / dt <= search_budget;
+    return scan_.tries().size() < most_tries && spent_ + last_rate_ * measurer_.compared.until / dt <= search_budget;
 }
 
-bool Search::holds(double dt)
+bool Search::try_step(double dt)
 {
-    if (is_over()) return false;
-    if (!may_run(dt)) {
-        ended_ = true;
-        return false;
-    }
+    if (!may_run(dt)) return false;
     const RowPlan plan = with_step(plan_, dt);
     measurer_.patience.name("step for the tolerance, " + label(plan.method));
     const RecordedRow recorded = record_row({measurer_.scene,
@@ -87,110 +89,38 @@ bool Search::holds(double dt)
                                              measurer_.compared.times,
                                              measurer_.auditor.truth(),
                                              [&](double) { return measurer_.patience.lasts(); }});
-    if (recorded.interrupted) {
-        ended_ = true;
-        return false;
-    }
+    if (recorded.interrupted) return false;
     spent_ += recorded.cpu_seconds;
     last_rate_ = recorded.cpu_seconds * dt / measurer_.compared.until;
-    const double error = recorded.row.position_max.value_or(INFINITY);
-    probes_.push_back({dt, error, study::holds(recorded.row, tolerance_)});
-    return probes_.back().holds;
+    scan_.add(try_of(dt, recorded.row, tolerance_));
+    return measurer_.compared.reference.samples.size() > 1;  // else no step has an error
 }
 
-std::vector<StepError> Search::errors() const
+bool Search::is_stalled() const
 {
+    const std::vector<StepSearch::Try>& tries = scan_.tries();
+    if (scan_.enough() || tries.back().dt < least_range_tried * tries.front().dt) return false;
     std::vector<StepError> points;
-    for (const Probe& each : probes_)
-        if (std::isfinite(each.error) && each.error > 0) points.push_back({each.dt, each.error});
-    std::sort(points.begin(), points.end(), [](const StepError& a, const StepError& b) { return a.dt > b.dt; });
-    return points;
+    for (auto each = tries.rbegin(); each != tries.rend(); ++each)
+        if (each->error && *each->error > 0) points.push_back({each->dt, *each->error});
+    return study::is_stalled(points, std::max(exact_, tolerance_));
 }
 
-/// The first step below `dt` that holds; 0 if there is none.
-double Search::search_down(double dt)
+StepSearch Search::run()
 {
-    for (double step = dt / search_stride; !is_over(); step /= search_stride) {
-        if (holds(step)) return step;
-        if (!is_over()) too_far_ = step;
-        if (is_stalled(errors(), std::max(exact_, tolerance_))) return 0;
-    }
-    return 0;
-}
-
-/// The last step from `dt` on up that holds.
-double Search::search_up(double dt)
-{
-    const double largest = longest_searched_step(measurer_.compared.until, dt);
-    while (dt < largest && !is_over()) {
-        const double step = std::min(largest, dt * search_stride);
-        if (!holds(step)) {
-            if (!is_over()) too_far_ = step;
-            return dt;
-        }
-        dt = step;
-    }
-    return dt;
-}
-
-void Search::bisect()
-{
-    while (too_far_ > search_bracket * enough_ && !is_over()) {
-        const double middle = std::sqrt(enough_ * too_far_);
-        const bool good = holds(middle);
-        if (ended_) return;
-        (good ? enough_ : too_far_) = middle;
-    }
-}
-
-/// The largest step below `enough_` of a row of this family that does not hold; 0 if there is none.
-double Search::failing_below(std::span<const CompareRow> known) const
-{
-    CompareRow own;
-    describe(plan_, own);
-    double largest = 0;
-    for (const CompareRow& row : known)
-        if (row.dt && *row.dt < enough_ && family_of(row) == family_of(own) && !study::holds(row, tolerance_))
-            largest = std::max(largest, *row.dt);
-    return largest;
-}
-
-StepSearch Search::run(std::span<const CompareRow> known)
-{
-    const double first = step_options(plan_.method)->dt;
-    const bool first_holds = holds(first);
-    if (!first_holds) too_far_ = first;
-    enough_ = first_holds ? search_up(first) : search_down(first);
-    while (enough_ > 0 && !is_over()) {
-        if (too_far_ > 0) bisect();
-        // One step that holds proves nothing where a smaller one fails.
-        double fails = failing_below(known);
-        for (const double part : {probe_below, probe_further_below})
-            if (!is_over() && !holds(part * enough_) && !ended_) fails = part * enough_;
-        if (fails == 0) break;
-        too_far_ = fails;
-        enough_ = search_down(fails);
-    }
+    for (auto dt = scan_.next(); dt && try_step(*dt) && !is_stalled();) dt = scan_.next();
     StepSearch result;
     CompareRow described;
     describe(plan_, described);
     result.method = described.method;
     result.variant = variant_text(described);
-    const std::vector<StepError> points = errors();
-    for (const StepError& p : points) {
-        if (result.best_error && *result.best_error <= p.error) continue;
-        result.best_error = p.error;
-        result.best_step = p.dt;
-    }
-    for (const Probe& each : probes_)
-        if (each.dt == too_far_ && std::isfinite(each.error)) result.too_far_error = each.error;
-    if (too_far_ > 0) result.too_far = too_far_;
-    if (enough_ > 0) {
-        result.end = StepSearch::End::found;
-        const auto row =
-            measurer_.measure(with_step(plan_, enough_), [&](double) { return measurer_.patience.lasts(); });
-        if (row) result.row = *row;
-    } else if (is_stalled(points, std::max(exact_, tolerance_))) {
+    result.tries = scan_.tries();
+    result.is_complete = !scan_.next();
+    result.largest = largest_;
+    if (const auto enough = scan_.enough()) {
+        result.row = measurer_.measure(with_step(plan_, *enough), [&](double) { return measurer_.patience.lasts(); });
+        if (result.row) result.end = StepSearch::End::found;
+    } else if (!result.tries.empty() && is_stalled()) {
         result.end = StepSearch::End::stalls;
     }
     return result;
@@ -225,7 +155,7 @@ std::vector<RowPlan> families_of(const std::vector<RowPlan>& plans)
 StepSearch find_step(const RowMeasurer& measurer, const RowPlan& plan, double tolerance,
                      std::span<const CompareRow> known)
 {
-    return Search(measurer, plan, tolerance).run(known);
+    return Search(measurer, plan, tolerance, known).run();
 }
 
 }  // namespace carom::study

@@ -23,7 +23,8 @@ TEST_CASE("the order of a power law is its exponent, without uncertainty", "[con
 
 TEST_CASE("the uncertainty of a fitted order is that of the textbook's line", "[convergence]")
 {
-    // x = ln dt = 0, 1, 2, y = ln error = 0, 2, 1: slope 1/2, residuals -1/2, 1, -1/2, so s^2 = 1.5 / (3 - 2), S_xx = 2.
+    // x = ln dt = 0, 1, 2, y = ln error = 0, 2, 1: slope 1/2, residuals -1/2, 1, -1/2, so s^2 = 1.5 / (3 - 2), S_xx
+    // = 2.
     const std::vector<StepError> points{{1, 1}, {std::exp(1), std::exp(2)}, {std::exp(2), std::exp(1)}};
     const auto fit = fitted_order(points);
     REQUIRE(fit);
@@ -40,4 +41,12 @@ TEST_CASE("errors that no longer fall are stalled, but not those of rounding", "
     CHECK(is_stalled(flat, 1e-12));
     CHECK_FALSE(is_stalled(rounding, 1e-12));
     CHECK(is_stalled(rounding, 1e-16));
+}
+
+TEST_CASE("steps close together do not stall because their errors scatter", "[convergence]")
+{
+    // Three steps within 4 %, the smallest with the largest error; first order over a factor of 32.
+    const std::vector<StepError> points{{0.032, 0.032},  {0.008, 0.009},    {0.002, 0.002},
+                                        {0.00104, 8e-4}, {0.00102, 1.0e-3}, {0.001, 1.2e-3}};
+    CHECK_FALSE(is_stalled(points, 1e-12));
 }
