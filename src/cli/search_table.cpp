@@ -1,7 +1,7 @@
 #include "cli/search_table.hpp"
 
 #include "cli/tables.hpp"
-#include "study/step_scan.hpp"
+#include "study/search/step_scan.hpp"
 #include "study/tolerances.hpp"
 #include "study/words.hpp"
 

@@ -4,7 +4,7 @@
 #include "study/compare_columns.hpp"
 #include "study/cost_ratio.hpp"
 #include "study/share.hpp"
-#include "study/step_scan.hpp"
+#include "study/search/step_scan.hpp"
 
 #include "io/lift_json.hpp"
 #include "io/vector_json.hpp"

@@ -3,7 +3,7 @@
 #include "study/clock.hpp"
 #include "study/fit_orders.hpp"
 #include "study/measure_row.hpp"
-#include "study/step_search.hpp"
+#include "study/search/step_search.hpp"
 #include "study/tolerances.hpp"
 
 #include <carom/study.hpp>

@@ -1,7 +1,7 @@
 #include "study/convention_words.hpp"
 #include "study/cost_ratio.hpp"
 #include "study/method_verdict.hpp"
-#include "study/search_words.hpp"
+#include "study/search/search_words.hpp"
 #include "study/verdict_words.hpp"
 #include "study/words.hpp"
 

@@ -1,4 +1,4 @@
-#include "study/step_scan.hpp"
+#include "study/search/step_scan.hpp"
 
 #include <carom/study.hpp>
 

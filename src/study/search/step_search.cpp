@@ -1,10 +1,10 @@
-#include "study/step_search.hpp"
+#include "study/search/step_search.hpp"
 
 #include "study/convergence.hpp"
 #include "study/fit_orders.hpp"
 #include "study/row.hpp"
 #include "study/row_family.hpp"
-#include "study/step_scan.hpp"
+#include "study/search/step_scan.hpp"
 #include "study/tolerances.hpp"
 #include "study/verdict_words.hpp"
 #include "study/words.hpp"

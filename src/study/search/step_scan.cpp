@@ -1,4 +1,4 @@
-#include "study/step_scan.hpp"
+#include "study/search/step_scan.hpp"
 
 #include "core/expect.hpp"
 #include "study/tolerances.hpp"

@@ -1,7 +1,7 @@
-#include "study/search_words.hpp"
+#include "study/search/search_words.hpp"
 
+#include "study/search/step_scan.hpp"
 #include "study/share.hpp"
-#include "study/step_scan.hpp"
 #include "study/tolerances.hpp"
 #include "study/words.hpp"
 

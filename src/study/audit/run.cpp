@@ -1,4 +1,4 @@
-#include "study/audit_run.hpp"
+#include "study/audit/run.hpp"
 
 #include "core/expect.hpp"
 #include "study/tolerances.hpp"
