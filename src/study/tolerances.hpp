@@ -75,6 +75,9 @@ inline constexpr int neighbour_hops = 2;
 
 /// Steps [1] through which an order is fitted at least: of two no scatter can be told.
 inline constexpr std::size_t steps_of_a_fit = 3;
+/// Factor [1] between the largest and the smallest step of a fit at least: of steps closer together only their scatter
+/// shows.
+inline constexpr double least_fitted_range = 2;
 /// Order [1] below which errors no longer fall: ten times the steps leave two thirds of the error.
 inline constexpr double stalled_order = 0.2;
 /// Factor [1] above the smallest step in which errors must fall: of steps a factor of 4 apart it holds four, whose
