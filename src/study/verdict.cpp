@@ -17,7 +17,7 @@ namespace {
 
 using namespace study;
 
-/// What the cheapest stepper within the tolerance costs, or how far the best one stays from it.
+/// Cost of the cheapest stepper within the tolerance, or how far the best one stays from it.
 std::string steppers_in_short(const VerdictWords& words, const CompareRow& best, double event_error)
 {
     const Comparison& comparison = words.comparison();
