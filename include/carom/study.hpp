@@ -206,19 +206,26 @@ struct Convergence {
     double last_error = 0;        ///< at the smallest step [length]
 };
 
-/// The largest step of a method, with what else it is given, that keeps within the tolerance.
+/// The step of a method, with what else it is given, that is enough for the tolerance: the largest from which every
+/// smaller one tried keeps within it and loses no impact. Errors scatter from step to step, and so steps are tried
+/// close together from a quarter of it up to the first that fails.
 struct StepSearch {
     enum class End : std::uint8_t {
         found,
         stalls,      ///< errors no longer fall
         not_reached  ///< smaller steps would take too long, or it was interrupted
     };
+    struct Try {
+        double dt = 0;                ///< [time]
+        std::optional<double> error;  ///< the largest at any sample; none if not finite [length]
+        bool holds = false;           ///< to the end, within the tolerance, no impact lost
+    };
     End end = End::not_reached;
-    std::string method, variant;                  ///< as Convergence
-    std::optional<CompareRow> row;                ///< found, measured in full
-    std::optional<double> too_far;                ///< the smallest step above it that does not hold [time]
-    std::optional<double> too_far_error;          ///< at that step [length]
-    std::optional<double> best_step, best_error;  ///< the smallest error of all tried [time], [length]
+    std::string method, variant;    ///< as Convergence
+    std::optional<CompareRow> row;  ///< found, measured in full
+    std::vector<Try> tries;         ///< every step run, rows asked for among them, from the smallest step up
+    bool is_complete = false;       ///< all steps of that range that a search wants were run
+    double largest = 0;             ///< larger ones than this are not tried [time]
 };
 inline constexpr std::array<std::string_view, 3> step_search_names{"found", "stalls", "not_reached"};
 
@@ -226,6 +233,7 @@ struct Comparison {
     double until = 0;                  ///< end asked for [time]
     double compared_until = 0;         ///< end of what the rows cover: errors, counts and times [time]
     double tolerance = 0;              ///< [length]
+    bool is_default_tolerance = true;  ///< nobody asked for another
     bool interrupted = false;          ///< rows are those finished before
     std::vector<double> sample_times;  ///< all, up to `compared_until` [time]
     ReferenceSummary reference;

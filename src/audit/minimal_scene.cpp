@@ -2,6 +2,7 @@
 
 #include "audit/tolerances.hpp"
 #include "core/text.hpp"
+#include "scene/without_bodies.hpp"
 
 #include <algorithm>
 
@@ -64,20 +65,12 @@ Check touches_in_time(const Scene& scene, const Finding& finding)
 
 Scene minimal_scene(const Scene& scene, const Finding& finding)
 {
-    Scene small;
+    Scene small = without_bodies(scene);
     small.name = std::string(finding_kind_names[static_cast<std::size_t>(finding.kind)]) + " " +
                  std::to_string(finding.number) + (scene.name.empty() ? "" : " of " + scene.name);
     small.description = words(scene, finding);
-    small.units = scene.units;
-    small.gravity = scene.gravity;
-    small.origin = scene.origin;
-    small.end_time = finding.span > 0 ? finding.span : scene.end_time;
-    small.seed = scene.seed;
-    small.materials = scene.materials;
-    small.contacts = scene.contacts;
-    small.rest = scene.rest;
-    small.impact = scene.impact;
-    small.guard = scene.guard;
+    small.start_time = {};  // of the run that the frames are of
+    if (finding.span > 0) small.end_time = finding.span;
     for (const Begin& begin : finding.bodies) {
         Sphere sphere = scene.spheres[static_cast<std::size_t>(begin.body)];
         sphere.position = begin.place;

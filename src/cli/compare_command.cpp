@@ -72,7 +72,7 @@ int do_compare(const CompareArguments& args, const GlobalArguments& global, cons
     console.out << (global.json ? json : compare_table(scene, comparison));
     if (!global.json) {
         console.out << "Clock: " << clock_text(facts, comparison.reference.cpu_seconds, "the reference") << '\n';
-        for (const char* each : {"compare.csv", "compare.json", "report.html"})
+        for (const char* each : {"compare.csv", "compare.json", page_data_file, "report.html"})
             console.out << (folder / each).string() << '\n';
     }
     if (!global.quiet) {

@@ -1,4 +1,5 @@
 #include "cli/compare_audit.hpp"
+#include "cli/search_table.hpp"
 #include "cli/tables.hpp"
 
 #include "study/compare_columns.hpp"
@@ -175,8 +176,8 @@ std::string head(const Scene& scene, const Comparison& comparison)
                             time_text(reference.until, scene.units.time), reference.reason);
     text += "\nTolerance: position error " + study::length_text(comparison.tolerance, unit);
     if (const double radius = smallest_radius(scene); radius > 0)
-        text += " (" + study::two_digits(comparison.tolerance / radius) +
-                " of the smallest radius; --tolerance changes it)";
+        text += " (" + study::two_digits(comparison.tolerance / radius) + " of the smallest radius" +
+                (comparison.is_default_tolerance ? "; --tolerance changes it)" : ")");
     return text + "\n" + audit_line(comparison);
 }
 
@@ -192,7 +193,8 @@ std::string compare_table(const Scene& scene, const Comparison& comparison)
         if (empty && !column.always) continue;
         for (std::size_t i = 0; i < cells.size(); ++i) lines[i].push_back(cells[i]);
     }
-    std::string text = head(scene, comparison) + "\n" + aligned(lines, 2) + "\n" + compare_legend + "\n";
+    std::string text = head(scene, comparison) + "\n" + aligned(lines, 2) + "\n" + search_table(scene, comparison) +
+                       compare_legend + "\n";
     for (const std::string& sentence : comparison.verdict) text += sentence + "\n";
     return text;
 }

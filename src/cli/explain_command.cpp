@@ -1,6 +1,7 @@
 #include "cli/cli.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/response.hpp"
+#include "cli/tables.hpp"
 #include "core/names.hpp"
 
 #include <carom/features.hpp>
@@ -109,8 +110,7 @@ std::string as_json(const Scene& scene, const Explanation& e)
 std::string as_text(const Scene& scene, const Explanation& e)
 {
     const auto yes = [](bool value) { return value ? "yes" : "no"; };
-    std::string text =
-        fmt::format("{} ({} spheres, {} planes)\n", scene.name, scene.spheres.size(), scene.planes.size());
+    std::string text = fmt::format("{} ({})\n", scene.name, bodies(scene));
     text += fmt::format("needs gravity   {:<4} {}\n", yes(e.needed.gravity), e.why_gravity);
     text += fmt::format("needs pairs     {:<4} {}\n", yes(e.needed.pairs), e.why_pairs);
     text += fmt::format("needs drag      {:<4} {}\n", yes(e.needed.drag), e.why_drag);

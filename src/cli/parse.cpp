@@ -144,7 +144,7 @@ void define_compare(CLI::App& app, CompareArguments& compare)
     add_given(app, compare.given, "--repeats", "K", "Runs for the time, of which the median counts [3]");
     add_given(app, compare.given, "--tolerance", "X",
               "Position error that the verdict asks for [1 mm if fit, else 0.01 smallest radius]; given, the largest "
-              "step of each method within it is searched for");
+              "step of each method within it is searched for, by runs of up to 10 s for each");
     add_time_limit(app, compare.given);
     add_scene_options(app, compare.allow_overlap, compare.set);
     app.add_option("-o,--out", compare.out,

@@ -113,8 +113,8 @@ std::unique_ptr<RecordingWriter> make_recording(const std::filesystem::path& fol
 void explain_settings(const Scene& scene, const std::filesystem::path& file, const RunSettings& settings,
                       const Console& console)
 {
-    console.err << fmt::format("{}: {} spheres, {} planes, method {}, to t = {:.10g}\n", file.string(),
-                               scene.spheres.size(), scene.planes.size(), name(settings.method), settings.run.until);
+    console.err << fmt::format("{}: {}, method {}, to t = {:.10g}\n", file.string(), bodies(scene),
+                               name(settings.method), settings.run.until);
     console.err << fmt::format("impact: {}\nrest: {}\nguard: {}\n", impact_words(scene), rest_words(scene),
                                guard_words(scene));
     if (const StepOptions* step = step_options(settings.method))

@@ -33,7 +33,7 @@ std::string recording_text(const Certificate& c)
     return fmt::format("{} t = {:.10g}", how, c.until);
 }
 
-std::string verify_table(const Certificate& c, const io::CommandFacts& command)
+std::string verify_table(const Certificate& c, double drag, const io::CommandFacts& command)
 {
     const CertifiedSeconds& s = c.body_seconds;
     const double all = s.exact + s.bounded + s.in_contact + s.numeric + s.guarded + s.not_certified;
@@ -57,6 +57,7 @@ std::string verify_table(const Certificate& c, const io::CommandFacts& command)
         {"numeric", share(s.numeric, all)},
         {"guarded", share(s.guarded, all)},
         {"not certified", share(s.not_certified, all)}};
+    if (drag > 0) rows.insert(rows.begin() + 3, {"drag", fmt::format("{:.10g}", drag)});
     if (c.clusters > 0) rows.push_back({"clusters", fmt::format("{} impacts of several contacts at once", c.clusters)});
     if (c.rests_on_spheres + c.releases_of_spheres > 0)
         rows.push_back(
@@ -89,7 +90,8 @@ int do_verify(const VerifyArguments& args, const GlobalArguments& global, const 
     const Certificate certificate = verify(recording, options);
     session.progress.clear();
     const io::CommandFacts facts = session.watch.facts();
-    console.out << (global.json ? io::verify_json(certificate, recording, facts) : verify_table(certificate, facts));
+    console.out << (global.json ? io::verify_json(certificate, recording, facts)
+                                : verify_table(certificate, recording.run().frame.drag, facts));
     if (facts.stopped && !global.quiet) print_error(console, session.watch.reason());
     if (!global.quiet)
         for (const Violation& v : certificate.violations)

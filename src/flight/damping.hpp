@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// What a time under drag k does to a motion.
+/// Effect of a time under drag k on a motion.
 template <class Real>
 struct Damping {
     Real decay;  ///< E [1]

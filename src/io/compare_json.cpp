@@ -4,6 +4,7 @@
 #include "study/compare_columns.hpp"
 #include "study/cost_ratio.hpp"
 #include "study/share.hpp"
+#include "study/search/step_scan.hpp"
 
 #include "io/lift_json.hpp"
 #include "io/vector_json.hpp"
@@ -102,14 +103,25 @@ Json convention_json(const Scene& scene, const Convention& each)
 
 Json search_json(const StepSearch& search)
 {
+    const study::SearchFigures figures = study::figures_of(search);
+    const auto step = [](const std::optional<StepSearch::Try>& each) { return each ? Json(each->dt) : Json(nullptr); };
+    const auto error = [](const std::optional<StepSearch::Try>& each) {
+        return each ? number_json(each->error) : Json(nullptr);
+    };
     return {{"method", search.method},
             {"variant", search.variant},
             {"end", name_of(search.end, step_search_names)},
             {"dt", number_json(search.row ? search.row->dt : std::nullopt)},
-            {"too_far", number_json(search.too_far)},
-            {"too_far_error", number_json(search.too_far_error)},
-            {"best_step", number_json(search.best_step)},
-            {"best_error", number_json(search.best_error)}};
+            {"tried", search.tries.size()},
+            {"held", figures.held},
+            {"worst_error", figures.held > 0 ? Json(figures.worst_error) : Json(nullptr)},
+            {"smallest", search.tries.empty() ? Json(nullptr) : Json(search.tries.front().dt)},
+            {"complete", search.is_complete},
+            {"largest", search.largest},
+            {"too_far", step(figures.too_far)},
+            {"too_far_error", error(figures.too_far)},
+            {"best_step", step(figures.best)},
+            {"best_error", error(figures.best)}};
 }
 
 std::string joined(const std::vector<std::string>& sentences)

@@ -101,7 +101,9 @@ std::filesystem::path find_recording(const std::filesystem::path& what)
     if (std::filesystem::is_regular_file(what)) return what;
     const std::filesystem::path inside = what / recording_name;
     if (std::filesystem::is_regular_file(inside)) return inside;
-    throw InputError({what.string() + ": no recording there (make one with carom run SCENE -o DIR)"});
+    throw InputError(
+        {what.string() +
+         ": no recording there (carom run SCENE -o DIR makes one of the event method; discrete methods have none)"});
 }
 
 }  // namespace carom

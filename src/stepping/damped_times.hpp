@@ -8,7 +8,7 @@
 
 namespace carom::stepping {
 
-/// What a time is worth to a velocity and to an acceleration.
+/// Worth of a time to a velocity and to an acceleration.
 struct DampedTimes {
     double s = 0;  ///< [time]
     double q = 0;  ///< [time^2]

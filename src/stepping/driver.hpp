@@ -16,10 +16,10 @@ namespace carom::stepping {
 
 /// A number in a message.
 std::string text(double value);
-/// What is wrong with the options, empty if nothing.
+/// Fault of the options, empty if there is none.
 /// \param more_orders those that the method knows beside index, reverse, random and deepest
 std::string option_problem(const StepOptions& options, double until, std::span<const ContactOrder> more_orders);
-/// What is wrong with the substep where drag acts, empty if nothing: semi-implicit Euler must take less than 2 / drag.
+/// Fault of the substep where drag acts, empty if there is none: semi-implicit Euler must take less than 2 / drag.
 std::string damping_problem(const StepOptions& options, double drag);
 std::string divergence_message(const Scene& scene, std::size_t sphere, double time);
 std::string limit_message(const char* what, double time, double until);

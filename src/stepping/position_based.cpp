@@ -96,7 +96,7 @@ private:
         note_projected(c.b);
     }
 
-    /// What a takes of a projection: half, or by inverse mass; beside a fixed sphere all of it.
+    /// Share of a in a projection: half, or by inverse mass; beside a fixed sphere all of it.
     double share(double inverse_a, double inverse_b) const
     {
         const bool weighted = method_.mass_weighted || inverse_a == 0 || inverse_b == 0;

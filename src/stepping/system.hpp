@@ -1,5 +1,5 @@
 /// \file
-/// What every discrete method works on.
+/// The system that every discrete method works on.
 #pragma once
 
 #include "core/patience.hpp"

@@ -2,7 +2,7 @@
 /// Closings that the event method takes for rest: slower than v_c, of bodies that are as good as in contact.
 #pragma once
 
-#include "study/audit_truth.hpp"
+#include "study/audit/truth.hpp"
 
 #include <carom/study.hpp>
 

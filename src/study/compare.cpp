@@ -3,7 +3,7 @@
 #include "study/clock.hpp"
 #include "study/fit_orders.hpp"
 #include "study/measure_row.hpp"
-#include "study/step_search.hpp"
+#include "study/search/step_search.hpp"
 #include "study/tolerances.hpp"
 
 #include <carom/study.hpp>
@@ -104,6 +104,7 @@ Comparison compare_methods(const Scene& scene, const CompareOptions& options)
     Comparison result;
     result.until = options.until;
     result.tolerance = options.tolerance.value_or(default_tolerance(scene));
+    result.is_default_tolerance = !options.tolerance;
 
     const double start = study::thread_cpu_seconds();
     const study::ComparedReference compared =

@@ -15,11 +15,11 @@
 
 namespace carom::study {
 
-/// Of what a figure is a multiple: units of the scene, but for seconds.
+/// Unit of a figure: one of the scene, but for seconds.
 enum class ColumnUnit : std::uint8_t { none, time, length, speed, seconds };
 inline constexpr std::array<std::string_view, 5> column_unit_names{"", "time", "length", "length/time", "s"};
 
-/// What a row has in a column; an empty optional is nothing, and so are numbers that are not finite.
+/// Cell of a row in a column; an empty optional is nothing, and so are numbers that are not finite.
 using CompareCell = std::variant<std::string, std::optional<double>, std::optional<std::int64_t>>;
 
 inline CompareCell as_cell(const std::string& text)

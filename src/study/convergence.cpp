@@ -36,7 +36,9 @@ std::optional<FittedOrder> fitted_order(std::span<const StepError> points)
 bool is_stalled(std::span<const StepError> points, double exact)
 {
     if (points.size() < steps_of_a_fit) return false;
-    const auto last = points.last(steps_of_a_fit);
+    std::size_t count = steps_of_a_fit;
+    while (count < points.size() && points[points.size() - 1 - count].dt <= stall_span * points.back().dt) ++count;
+    const auto last = points.last(count);
     if (std::any_of(last.begin(), last.end(), [&](const StepError& p) { return p.error <= exact; })) return false;
     const std::optional<FittedOrder> fit = fitted_order(last);
     return fit && fit->order < stalled_order;

@@ -23,8 +23,9 @@ struct FittedOrder {
 /// None of fewer than three steps. \pre steps and errors are finite, no step twice
 std::optional<FittedOrder> fitted_order(std::span<const StepError> points);
 
-/// Whether errors no longer fall: the order of the three smallest steps is below 0.2 and their errors are above
-/// `exact`, below which rounding is all there is. \param points from the largest step to the smallest
+/// Whether errors no longer fall: the order of the steps within a factor of 64 of the smallest, of three at least, is
+/// below 0.2 and their errors are above `exact`, below which rounding is all there is. \param points from the largest
+/// step to the smallest
 bool is_stalled(std::span<const StepError> points, double exact);
 
 }  // namespace carom::study

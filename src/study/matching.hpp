@@ -21,7 +21,7 @@ struct TimeSpan {
     double begin = 0, end = 0;  ///< closed [time]
 };
 
-/// What the reference says about one pair.
+/// Impacts of one pair, as the reference has them.
 struct PairImpacts {
     std::vector<double> times;  ///< impacts that a method must find, ascending [time]
     std::vector<TimeSpan>

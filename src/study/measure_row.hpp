@@ -2,7 +2,7 @@
 /// A row measured in full: errors, audit, time.
 #pragma once
 
-#include "study/audit.hpp"
+#include "study/audit/auditor.hpp"
 #include "study/compared_reference.hpp"
 #include "study/row_plan.hpp"
 

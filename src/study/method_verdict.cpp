@@ -1,7 +1,7 @@
 #include "study/method_verdict.hpp"
 
 #include "study/row_family.hpp"
-#include "study/search_words.hpp"
+#include "study/search/search_words.hpp"
 #include "study/tolerances.hpp"
 #include "study/words.hpp"
 

@@ -1,5 +1,5 @@
 /// \file
-/// What the rows of one stepping method say about its step.
+/// Verdict on the step of one stepping method, by its rows.
 #pragma once
 
 #include "study/verdict_words.hpp"

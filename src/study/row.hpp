@@ -3,7 +3,7 @@
 #pragma once
 
 #include "reference/reference.hpp"
-#include "study/audit_truth.hpp"
+#include "study/audit/truth.hpp"
 #include "study/sample_times.hpp"
 
 #include <carom/study.hpp>

@@ -10,7 +10,7 @@
 
 namespace carom::stress {
 
-/// What the runs of a case showed.
+/// Evidence that the runs of a case gave.
 struct Evidence {
     double figure = 0;          ///< largest error, in the units of StressPart; may be infinite or not a number
     std::string worst;          ///< where the figure comes from; may be empty
@@ -55,7 +55,7 @@ struct Report {
 /// disagree about its limits
 std::vector<Case> cases_of(const std::vector<Scene>& scenes);
 
-/// What the evidence shows of a method that is held to `limit`.
+/// Symptom that the evidence shows of a method that is held to `limit`.
 Symptom diagnose(const Evidence& evidence, double limit);
 
 /// Every method on every case.

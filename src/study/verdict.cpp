@@ -1,7 +1,7 @@
 #include "study/convention_words.hpp"
 #include "study/cost_ratio.hpp"
 #include "study/method_verdict.hpp"
-#include "study/search_words.hpp"
+#include "study/search/search_words.hpp"
 #include "study/verdict_words.hpp"
 #include "study/words.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 using namespace study;
 
-/// What the cheapest stepper within the tolerance costs, or how far the best one stays from it.
+/// Cost of the cheapest stepper within the tolerance, or how far the best one stays from it.
 std::string steppers_in_short(const VerdictWords& words, const CompareRow& best, double event_error)
 {
     const Comparison& comparison = words.comparison();

@@ -1,5 +1,5 @@
 /// \file
-/// What the sentences of a verdict are made of.
+/// Phrases of which the sentences of a verdict are made.
 #pragma once
 
 #include <carom/study.hpp>

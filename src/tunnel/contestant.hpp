@@ -1,5 +1,5 @@
 /// \file
-/// Who is thrown with: a method that moves the ball, as a function. Methods of carom, collision libraries and the
+/// Contestants in throws: a method that moves the ball, as a function. Methods of carom, collision libraries and the
 /// dummies of tests are all of this kind.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace carom::tunnel {
 
-/// What a method made of a throw.
+/// Answer of a method to a throw.
 struct Flown {
     std::optional<double> answered;  ///< the first response to the contact, since the begin; none without one [time]
     Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();          ///< two steps after the begin

@@ -61,10 +61,13 @@ void find_criticals(const Matrix& matrix, const std::vector<Contestant>& contest
         for (const Cell& cell : cells) {
             for (const double offset : cell.target == Target::sphere ? matrix.offsets : central) {
                 if (!patience.lasts(static_cast<double>(done))) break;
-                Critical critical{who.method, who.variant, who.integrator, cell, offset, {}, {}};
-                critical.speed = find_critical(who, cell, offset);
-                critical.law = critical_speed(who, cell, offset);
-                report.criticals.push_back(std::move(critical));
+                report.criticals.push_back({.method = who.method,
+                                            .variant = who.variant,
+                                            .integrator = who.integrator,
+                                            .cell = cell,
+                                            .offset = offset,
+                                            .speed = find_critical(who, cell, offset),
+                                            .law = critical_speed(who, cell, offset)});
             }
             ++done;
         }

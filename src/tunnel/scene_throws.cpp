@@ -1,6 +1,6 @@
 #include "tunnel/scene_throws.hpp"
 
-#include "study/audit_neighbours.hpp"
+#include "study/audit/neighbours.hpp"
 #include "study/tolerances.hpp"
 
 #include <algorithm>

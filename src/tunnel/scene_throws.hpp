@@ -2,7 +2,7 @@
 /// Throws in a scene of the user's: its fastest body, with its speed scaled, and the first contact that it has.
 #pragma once
 
-#include "study/audit_truth.hpp"
+#include "study/audit/truth.hpp"
 #include "tunnel/study.hpp"
 
 #include <carom/progress.hpp>

@@ -60,7 +60,12 @@ std::vector<Summary> summaries(const Report& report)
         auto sum = std::find_if(all.begin(), all.end(), [&](const Summary& each) {
             return each.name == name && each.target == row.cell.target;
         });
-        if (sum == all.end()) sum = all.insert(all.end(), {name, row.method, row.cell.target, 0, 0, 0, 0, {}, {}, {}});
+        if (sum == all.end()) {
+            sum = all.insert(all.end(), Summary{});
+            sum->name = name;
+            sum->method = row.method;
+            sum->target = row.cell.target;
+        }
         add(*sum, row);
     }
     return all;

@@ -20,7 +20,10 @@ std::vector<Total> totals(const Report& report)
     std::vector<Total> all;
     for (const Summary& sum : summaries(report)) {
         auto total = std::find_if(all.begin(), all.end(), [&](const Total& t) { return t.method == sum.method; });
-        if (total == all.end()) total = all.insert(all.end(), {sum.method, 0, 0, 0, ""});
+        if (total == all.end()) {
+            total = all.insert(all.end(), Total{});
+            total->method = sum.method;
+        }
         total->trials += sum.trials;
         total->tunnelled += sum.tunnelled;
         total->wrong += sum.wrong;

@@ -1,40 +1,27 @@
 /// The law of linear drag against its formulas in 100 digits.
 #include "flight/damping.hpp"
 
-#include "support/multiprecision.hpp"
 #include "support/random.hpp"
+#include "support/relative_error.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace carom;
+using carom::test::exact;
 using carom::test::Random;
-using Real = carom::test::Float<100>;
+using carom::test::relative_error;
+using Real = carom::test::Float100;
 
 namespace {
 
 constexpr double u = unit_roundoff;
 
-Real exact(double x)
-{
-    return x;
-}
-Real exact(DoubleDouble x)
-{
-    return Real(x.high) + Real(x.low);
-}
-
-template <class Number>
-double error(Number computed, const Real& wanted)
-{
-    return Real(abs(exact(computed) / wanted - 1)).convert_to<double>();
-}
-
 template <class Number>
 double worst_of(const Damping<Number>& d, double k, const Real& t)
 {
     const Real decay = exp(-k * t), way = (1 - decay) / k, fall = (t - way) / k;
-    return std::max({error(d.decay, decay), error(d.way, way), error(d.fall, fall)});
+    return std::max({relative_error(d.decay, decay), relative_error(d.way, way), relative_error(d.fall, fall)});
 }
 
 }  // namespace
@@ -71,7 +58,7 @@ TEST_CASE("the time of a way is the inverse of the way of a time")
     for (int i = 0; i < 100000; ++i) {
         const double k = random.log_uniform(1e-12, 1e6);
         const double s = random.log_uniform(1e-30, 0.5) / k;
-        worst = std::max(worst, error(time_of_way(k, s), Real(-log1p(-Real(k) * s) / k)) / u);
+        worst = std::max(worst, relative_error(time_of_way(k, s), Real(-log1p(-Real(k) * s) / k)) / u);
     }
     CAPTURE(worst);
     CHECK(worst < 6);
@@ -85,7 +72,7 @@ TEST_CASE("the time at which a speed is used up is right for weak and strong acc
     for (int i = 0; i < 100000; ++i) {
         const double k = random.log_uniform(1e-12, 1e6), w = random.log_uniform(1e-12, 1e6),
                      g = random.log_uniform(1e-12, 1e6);
-        worst = std::max(worst, error(turning_time(k, w, g), Real(log1p(Real(k) * w / g) / k)) / u);
+        worst = std::max(worst, relative_error(turning_time(k, w, g), Real(log1p(Real(k) * w / g) / k)) / u);
     }
     CAPTURE(worst);
     CHECK(worst < 10);

@@ -1,34 +1,21 @@
 /// Exponential and logarithm against MPFR's in 100 digits.
 #include "math/exponential.hpp"
 
-#include "support/multiprecision.hpp"
 #include "support/random.hpp"
+#include "support/relative_error.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace carom;
+using carom::test::exact;
 using carom::test::Random;
-using Real = carom::test::Float<100>;
+using carom::test::relative_error;
+using Real = carom::test::Float100;
 
 namespace {
 
 constexpr double u = unit_roundoff;
-
-Real exact(double x)
-{
-    return x;
-}
-Real exact(DoubleDouble x)
-{
-    return Real(x.high) + Real(x.low);
-}
-
-template <class Number>
-double error(Number computed, const Real& wanted)
-{
-    return Real(abs(exact(computed) / wanted - 1)).convert_to<double>();
-}
 
 DoubleDouble any_part(Random& random, double high)
 {
@@ -45,11 +32,12 @@ TEST_CASE("the exponential is right to its bound over the whole range of doubles
         const double size = random.coin() ? random.log_uniform(1e-20, 709) : random.uniform(0, 709);
         const double x = size > 708 ? -size : random.sign() * size;
         if (x < -700) continue;
-        worst = std::max(worst, error(exponential(x), exp(Real(x))) / u);
+        worst = std::max(worst, relative_error(exponential(x), exp(Real(x))) / u);
         const DoubleDouble y = any_part(random, x);
         // Low parts are subnormal below e^-670.
         if (x > -600)
-            worst_sharp = std::max(worst_sharp, error(exponential(y), exp(exact(y))) / (u * u * (16 + 8 * size)));
+            worst_sharp =
+                std::max(worst_sharp, relative_error(exponential(y), exp(exact(y))) / (u * u * (16 + 8 * size)));
     }
     CAPTURE(worst, worst_sharp);
     CHECK(worst < 1.5);
@@ -66,9 +54,9 @@ TEST_CASE("the tail of the exponential does not cancel near 0")
     for (int i = 0; i < 50000; ++i) {
         const double x = random.sign() * random.log_uniform(1e-16, 1);
         const auto tail = [](const Real& y) { return Real((exp(y) - 1 - y) / y / y); };
-        worst = std::max(worst, error(exponential_tail(x), tail(x)) / u);
+        worst = std::max(worst, relative_error(exponential_tail(x), tail(x)) / u);
         const DoubleDouble y = any_part(random, x);
-        worst_sharp = std::max(worst_sharp, error(exponential_tail(y), tail(exact(y))) / (u * u));
+        worst_sharp = std::max(worst_sharp, relative_error(exponential_tail(y), tail(exact(y))) / (u * u));
     }
     CAPTURE(worst, worst_sharp);
     CHECK(worst < 3);
@@ -84,9 +72,9 @@ TEST_CASE("logarithms are right to their bound from the smallest doubles to the 
         const double y =
             i % 2 == 0 ? random.log_uniform(1e-300, 1e300) : 1 + random.sign() * random.log_uniform(1e-15, 0.5);
         if (y == 1) continue;
-        worst = std::max(worst, error(logarithm(y), log(Real(y))) / u);
+        worst = std::max(worst, relative_error(logarithm(y), log(Real(y))) / u);
         const DoubleDouble x = any_part(random, y);
-        if (y > 1e-270) worst_sharp = std::max(worst_sharp, error(logarithm(x), log(exact(x))) / (u * u));
+        if (y > 1e-270) worst_sharp = std::max(worst_sharp, relative_error(logarithm(x), log(exact(x))) / (u * u));
     }
     CAPTURE(worst, worst_sharp);
     CHECK(worst < 4);
@@ -100,11 +88,12 @@ TEST_CASE("the logarithm of what is left of 1 does not cancel")
     double worst = 0, worst_sharp = 0;
     for (int i = 0; i < 100000; ++i) {
         const double z = i % 2 == 0 ? random.log_uniform(1e-300, 1) : random.uniform(0, 0.5);
-        worst = std::max(worst, error(minus_log_of_rest(z), Real(-log1p(Real(-z)))) / u);
+        worst = std::max(worst, relative_error(minus_log_of_rest(z), Real(-log1p(Real(-z)))) / u);
         const double part = random.log_uniform(1e-200, 1);
         const DoubleDouble x = any_part(random, part);
         if (part < 0.99)
-            worst_sharp = std::max(worst_sharp, error(minus_log_of_rest(x), Real(-log1p(-exact(x)))) / (u * u));
+            worst_sharp =
+                std::max(worst_sharp, relative_error(minus_log_of_rest(x), Real(-log1p(-exact(x)))) / (u * u));
     }
     CAPTURE(worst, worst_sharp);
     CHECK(worst < 4);

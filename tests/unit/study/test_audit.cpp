@@ -1,4 +1,4 @@
-#include "study/audit.hpp"
+#include "study/audit/auditor.hpp"
 #include "study/share.hpp"
 
 #include "make_sphere.hpp"

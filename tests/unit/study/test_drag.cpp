@@ -1,4 +1,4 @@
-#include "study/audit_truth.hpp"
+#include "study/audit/truth.hpp"
 #include "study/row_plan.hpp"
 
 #include "make_sphere.hpp"

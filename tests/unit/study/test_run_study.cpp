@@ -1,3 +1,5 @@
+#include "study/search/step_scan.hpp"
+
 #include <carom/study.hpp>
 
 #include "make_sphere.hpp"
@@ -252,11 +254,16 @@ TEST_CASE("the step found for a tolerance is the one that the error's formula gi
     CHECK(*euler.row->dt <= 2e-4 * (1 + 1e-9));
     CHECK(*euler.row->dt >= 2e-4 / 1.05);
     CHECK(euler.row->cpu_seconds > 0);
-    REQUIRE(euler.too_far);
-    CHECK(*euler.too_far > 2e-4);
+    const study::SearchFigures told = study::figures_of(euler);
+    REQUIRE(told.too_far);
+    CHECK(told.too_far->dt > 2e-4);
+    CHECK(euler.is_complete);
+    CHECK(told.held > 60);
+    CHECK(told.worst_error == *euler.row->position_max);
     REQUIRE(parabola.row);  // exact in flight: the largest step that may be tried, an eighth of the run
     CHECK(*parabola.row->dt == 0.125);
-    CHECK_FALSE(parabola.too_far);
+    CHECK_FALSE(study::figures_of(parabola).too_far);
+    CHECK(parabola.largest == 0.125);
     CHECK(result.rows.size() == 7);
 }
 

@@ -153,30 +153,47 @@ TEST_CASE("the event method's own faults are told apart", "[verdict]")
 TEST_CASE("what the search for a step found is told, and why it found none", "[verdict]")
 {
     Comparison c = comparison({event_row(0, 1e-5), step_row("pbd", 1.0 / 60, 0.1, 1e-5)});
-    StepSearch found, stalls, dear;
+    StepSearch found;
     found.end = StepSearch::End::found;
-    found.method = stalls.method = dear.method = "pbd";
+    found.method = "pbd";
     found.row = step_row("pbd", 5e-4, 9.8e-4, 2e-4);
-    found.too_far = 5.2e-4;
-    found.too_far_error = 1.03e-3;
+    found.tries = {{2e-4, 4e-4, true}, {4e-4, 9.9e-4, true}, {5e-4, 9.8e-4, true}, {5.2e-4, 1.03e-3, false}};
+    found.is_complete = true;
+    StepSearch capped = found;
+    capped.variant = ", parabola";
+    capped.tries.pop_back();
+    capped.is_complete = false;
+    capped.largest = 5e-4;
+    StepSearch stalls;
     stalls.end = StepSearch::End::stalls;
-    stalls.variant = ", parabola";
+    stalls.method = "pbd";
+    stalls.variant = ", order jacobi";
+    stalls.tries = {{1e-5, 4.9e-3, false}, {1e-3, 6e-3, false}};
+    StepSearch dear = stalls;
+    dear.end = StepSearch::End::not_reached;
     dear.method = "moreau";
-    stalls.best_step = dear.best_step = 1e-5;
-    stalls.best_error = dear.best_error = 4.9e-3;
-    c.searches = {found, stalls, dear};
-    c.convergence = {{"pbd", "", 0.98, 0.051, 4, false, 1e-4}, {"pbd", ", parabola", 0.01, 0.02, 3, true, 4.9e-3}};
-    CHECK(
-        sentence(c, 1) ==
-        "pbd: dt = 5e-4 is the largest step from which all smaller ones tried keep within a position error of 1 mm; it "
-        "costs 20 times the event run; at 0.00052 it is off by 1.03 mm.");
-    CHECK_THAT(sentence(c, 2), Contains("pbd, parabola: no step keeps within") && Contains("error stalls") &&
-                                   Contains("4.9 mm at dt = 1e-5"));
-    CHECK_THAT(sentence(c, 3), Contains("moreau: no step that can be run in 10 s keeps within"));
-    CHECK(sentence(c, 4) ==
-          "Errors fall with the step: pbd as dt^0.98 +- 0.051. Errors no longer fall with smaller steps: pbd, parabola "
-          "at 4.9 "
-          "mm.");
+    StepSearch lucky = dear;
+    lucky.method = "naive";
+    lucky.tries.push_back({0.01, 1e-4, true});
+    c.searches = {found, capped, stalls, dear, lucky};
+    c.convergence = {{"pbd", "", 0.98, 0.051, 4, false, 1e-4}, {"pbd", ", order jacobi", 0.01, 0.02, 3, true, 4.9e-3}};
+    CHECK(sentence(c, 1) ==
+          "pbd: dt = 5e-4 is enough: all 3 steps tried from 2e-4 up to it keep within a position error of 1 mm, the "
+          "worst is off by 0.99 mm; it costs 20 times the event run; at 0.00052 it is off by 1.03 mm.");
+    CHECK_THAT(sentence(c, 2), Contains("not all steps that a search tries were run, for its 10 s were over") &&
+                                   Contains("larger steps are not tried (up to an eighth of the run"));
+    CHECK(sentence(c, 3) ==
+          "pbd, order jacobi: no step tried keeps within a position error of 1 mm (2 tried, from 1e-5 to 0.001; best "
+          "4.9 mm at dt = 1e-5), and errors no longer fall.");
+    CHECK_THAT(sentence(c, 4), Contains("moreau, order jacobi: no step tried keeps within") &&
+                                   Contains("); smaller ones would take more than 10 s of runs."));
+    CHECK(sentence(c, 5) ==
+          "naive, order jacobi: no step tried is safe: 1 of 3 tried, from 1e-5 to 0.01, keep within a position error "
+          "of 1 mm, but not "
+          "the smaller 1e-5.");
+    CHECK(sentence(c, 6) ==
+          "Errors fall with the step: pbd as dt^0.98 +- 0.051. Errors no longer fall with smaller steps: pbd, order "
+          "jacobi at 4.9 mm.");
 }
 
 TEST_CASE("being right at the end does not make up for being wrong before", "[verdict]")

@@ -3,7 +3,7 @@
 /// without an impact. They do not depend on the method, so that methods with one step are asked the same.
 #pragma once
 
-#include "study/audit_truth.hpp"
+#include "study/audit/truth.hpp"
 
 #include <cstdint>
 #include <vector>

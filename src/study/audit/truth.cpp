@@ -1,7 +1,7 @@
-#include "study/audit_truth.hpp"
+#include "study/audit/truth.hpp"
 
 #include "core/patience.hpp"
-#include "study/audit_series.hpp"
+#include "study/audit/series.hpp"
 #include "study/flight_state.hpp"
 #include "study/tolerances.hpp"
 

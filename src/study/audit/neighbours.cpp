@@ -1,4 +1,4 @@
-#include "study/audit_neighbours.hpp"
+#include "study/audit/neighbours.hpp"
 
 #include "study/tolerances.hpp"
 

@@ -2,7 +2,7 @@
 /// Which spheres may come near a body within the steps of a case.
 #pragma once
 
-#include "study/audit_truth.hpp"
+#include "study/audit/truth.hpp"
 
 #include <span>
 #include <vector>

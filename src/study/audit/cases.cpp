@@ -1,7 +1,7 @@
-#include "study/audit_cases.hpp"
+#include "study/audit/cases.hpp"
 
 #include "core/random.hpp"
-#include "study/audit_neighbours.hpp"
+#include "study/audit/neighbours.hpp"
 #include "study/tolerances.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "study/audit.hpp"
+#include "study/audit/auditor.hpp"
 
 #include "core/expect.hpp"
 #include "study/tolerances.hpp"

@@ -2,7 +2,7 @@
 /// Two steps of a method from the exact state of a case, in a scene of the bodies near, and what came of them.
 #pragma once
 
-#include "study/audit_cases.hpp"
+#include "study/audit/cases.hpp"
 
 #include <carom/study.hpp>
 

@@ -3,7 +3,7 @@
 /// truth the method begins anew from the exact state.
 #pragma once
 
-#include "study/audit_run.hpp"
+#include "study/audit/run.hpp"
 
 #include "core/patience.hpp"
 

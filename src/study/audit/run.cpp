@@ -1,6 +1,7 @@
-#include "study/audit_run.hpp"
+#include "study/audit/run.hpp"
 
 #include "core/expect.hpp"
+#include "scene/without_bodies.hpp"
 #include "study/tolerances.hpp"
 
 #include <algorithm>
@@ -8,14 +9,9 @@
 
 namespace carom::study {
 
-CaseRunner::CaseRunner(const Scene& scene, const Truth& truth) : scene_(scene), truth_(truth)
+CaseRunner::CaseRunner(const Scene& scene, const Truth& truth)
+    : scene_(scene), truth_(truth), case_(without_bodies(scene))
 {
-    case_.gravity = scene.gravity;
-    case_.drag = scene.drag;
-    case_.origin = scene.origin;
-    case_.seed = scene.seed;
-    case_.materials = scene.materials;
-    case_.contacts = scene.contacts;
     case_.planes = scene.planes;
 }
 

@@ -1,4 +1,4 @@
-#include "study/audit_series.hpp"
+#include "study/audit/series.hpp"
 
 namespace carom::study {
 

@@ -2,7 +2,7 @@
 /// A series of bounces on one plane, summed in closed form by the event method, written out bounce by bounce.
 #pragma once
 
-#include "study/audit_truth.hpp"
+#include "study/audit/truth.hpp"
 
 #include <carom/flight.hpp>
 
