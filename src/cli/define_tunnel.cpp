@@ -20,7 +20,8 @@ void define_tunnel(CLI::App& app, TunnelArguments& tunnel)
     add("--dt", "LIST", "Steps [1/60,1/240,1/1000]");
     add("--target", "LIST", "plate, sphere, wall (a plane with one side, as those of a box) [all]");
     add("--methods", "LIST",
-        "Methods, and collision libraries: fcl_naive, fcl_advancement, libccd_advancement [all that are there]");
+        "Methods, collision libraries (fcl_naive, fcl_advancement, libccd_advancement), and engines of others when "
+        "asked for: bullet, bullet_ccd, bullet_defaults, ode, ode_defaults [methods and libraries]");
     add("--trials", "N", "Throws of each method at each cell [1000]");
     app.add_flag_callback(
         "--bisect", [&tunnel] { tunnel.given["bisect"] = "true"; },

@@ -57,19 +57,23 @@ int do_tunnel(const TunnelArguments& args, const GlobalArguments& global, const 
         file = find_scene(args.scene, scene_folder());
         scene = session.read(file, args.allow_overlap, args.set);
     }
-    const TunnelSettings settings = tunnel_settings(args, global, scene, file.string());
+    const TunnelSettings settings = tunnel_settings(args, global, scene, file.string(), [&] { return session.watch.keep_going(); });
     session.watch.limit(settings.max_seconds);
 
     tunnel::Report report;
     report.seed = settings.matrix.seed;
     report.absent = settings.absent;
     const OnProgress on_progress = session.on_progress();
-    if (file.empty())
-        tunnel::run_matrix(settings.matrix, settings.contestants, report, on_progress);
-    else
-        tunnel::run_scene(scene, settings.matrix, settings.contestants, report, on_progress);
-    if (settings.bisect && !report.interrupted)
-        tunnel::find_criticals(settings.matrix, settings.contestants, report, on_progress);
+    try {
+        if (file.empty())
+            tunnel::run_matrix(settings.matrix, settings.contestants, report, on_progress);
+        else
+            tunnel::run_scene(scene, settings.matrix, settings.contestants, report, on_progress);
+        if (settings.bisect && !report.interrupted)
+            tunnel::find_criticals(settings.matrix, settings.contestants, report, on_progress);
+    } catch (const Stopped&) {  // while an engine's program was awaited
+        report.interrupted = true;
+    }
     session.progress.clear();
 
     const io::CommandFacts facts = session.watch.facts();

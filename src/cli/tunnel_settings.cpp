@@ -2,6 +2,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "core/names.hpp"
+#include "peers/peers.hpp"
 #include "tunnel/peers.hpp"
 #include "tunnel/scene_throws.hpp"
 
@@ -66,12 +67,23 @@ void add_peer(const tunnel::Peers& peers, const std::string& name, bool has_scen
         settings.absent.push_back({name + " at walls", peers.no_walls});
 }
 
-void add_methods(const Choices& choices, const Scene& scene, bool has_scene, TunnelSettings& settings)
+void add_engine(const std::string& name, const std::function<bool()>& keep_going, TunnelSettings& settings)
 {
-    std::vector<std::string> known = method_names();
-    const std::vector<tunnel::Peers> peers = all_peers();
-    for (const tunnel::Peers& each : peers) known.insert(known.end(), each.names.begin(), each.names.end());
-    const std::vector<std::string> wanted = choices.words("methods", known, known, "method");
+    if (const auto program = peers::program_of(name))
+        settings.contestants.push_back(peers::peer_contestant(name, *program, keep_going));
+    else
+        settings.absent.push_back({name, peers::how_to_get(name)});
+}
+
+void add_methods(const Choices& choices, const Scene& scene, bool has_scene, const std::function<bool()>& keep_going,
+                 TunnelSettings& settings)
+{
+    std::vector<std::string> usual = method_names();
+    const std::vector<tunnel::Peers> libraries = all_peers();
+    for (const tunnel::Peers& each : libraries) usual.insert(usual.end(), each.names.begin(), each.names.end());
+    std::vector<std::string> known = usual;  // engines are slow, so that they come when they are called
+    known.insert(known.end(), peers::peer_names().begin(), peers::peer_names().end());
+    const std::vector<std::string> wanted = choices.words("methods", usual, known, "method");
     for (const std::string& method : method_names()) {
         if (!contains(wanted, method)) continue;
         if (has_scene && method == method_names().front()) {
@@ -87,7 +99,9 @@ void add_methods(const Choices& choices, const Scene& scene, bool has_scene, Tun
         }
     }
     if (has_scene && !choices.has("methods")) return;  // nobody asked for libraries
-    for (const tunnel::Peers& each : peers)
+    for (const std::string& name : peers::peer_names())
+        if (contains(wanted, name)) add_engine(name, keep_going, settings);
+    for (const tunnel::Peers& each : libraries)
         for (const std::string& name : each.names)
             if (contains(wanted, name)) add_peer(each, name, has_scene, settings);
 }
@@ -95,7 +109,7 @@ void add_methods(const Choices& choices, const Scene& scene, bool has_scene, Tun
 }  // namespace
 
 TunnelSettings tunnel_settings(const TunnelArguments& args, const GlobalArguments& global, const Scene& scene,
-                               const std::string& file)
+                               const std::string& file, const std::function<bool()>& keep_going)
 {
     const bool has_scene = !file.empty();
     const Choices choices(args.given, scene.tunnel, file + ": /tunnel");
@@ -117,7 +131,7 @@ TunnelSettings tunnel_settings(const TunnelArguments& args, const GlobalArgument
     settings.matrix.seed = global.seed.value_or(scene.seed);
     settings.bisect = choices.flag("bisect") && !has_scene;
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
-    add_methods(choices, scene, has_scene, settings);
+    add_methods(choices, scene, has_scene, keep_going, settings);
     return settings;
 }
 

@@ -32,14 +32,11 @@ constexpr std::array<Setting, 4> settings{{{"translation, libccd", Path::transla
                                            {"linear, libccd", Path::linear, fcl::GST_LIBCCD},
                                            {"linear, indep", Path::linear, fcl::GST_INDEP}}};
 
-/// Width of the box that stands for a plate [ball's radius and half of the thickness]: throws hit its middle.
-constexpr double plate_width = 100;
-
 std::shared_ptr<fcl::CollisionGeometryd> geometry(const PeerScene& scene)
 {
     if (scene.target == Target::sphere) return std::make_shared<fcl::Sphered>(scene.thickness / 2);
-    const double width = plate_width * (scene.radius + scene.thickness / 2);
-    return std::make_shared<fcl::Boxd>(scene.thickness, width, width);  // its normal is x, as that of every throw
+    // Its normal is x, as that of every throw.
+    return std::make_shared<fcl::Boxd>(scene.thickness, plate_edge(scene), plate_edge(scene));
 }
 
 /// Motion of a body that does not turn. (Shared, for the library's own delete frees what another new has made.)

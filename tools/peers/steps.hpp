@@ -18,6 +18,15 @@ struct PeerScene {
     Vec3 normal = Vec3::UnitX();  ///< of a plate; its middle is at the origin
 };
 
+/// Width of the box that stands for a plate [ball's radius and half of the thickness]: throws hit its middle.
+inline constexpr double plate_width = 100;
+
+/// Edge of that box along the plate [length].
+inline double plate_edge(const PeerScene& scene)
+{
+    return plate_width * (scene.radius + scene.thickness / 2);
+}
+
 /// \pre the throw is of a cell: ball first, then a sphere or a plate at the origin
 inline PeerScene peer_scene(const Throw& t)
 {
