@@ -70,6 +70,7 @@ Scene minimal_scene(const Scene& scene, const Finding& finding)
     small.description = words(scene, finding);
     small.units = scene.units;
     small.gravity = scene.gravity;
+    small.drag = scene.drag;
     small.origin = scene.origin;
     small.end_time = finding.span > 0 ? finding.span : scene.end_time;
     small.seed = scene.seed;

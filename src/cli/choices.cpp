@@ -256,8 +256,8 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
     CompareSettings settings;
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
     CompareOptions& options = settings.compare;
-    AskedMethods asked = asked_methods(
-        choices.words("methods", method_names(), methods_and_peers(), "method"), scene, file);
+    AskedMethods asked =
+        asked_methods(choices.words("methods", method_names(), methods_and_peers(), "method"), scene, file);
     options.methods = std::move(asked.methods);
     options.peers = std::move(asked.peers);
     settings.absent = std::move(asked.absent);

@@ -26,8 +26,8 @@ AskedMethods asked_methods(const std::vector<std::string>& names, const Scene& s
             continue;
         }
         expect_peers_know(scene, file);
-        const bool is_new = std::none_of(asked.peers.begin(), asked.peers.end(),
-                                         [&](const Peer& each) { return each.name == name; });
+        const bool is_new =
+            std::none_of(asked.peers.begin(), asked.peers.end(), [&](const Peer& each) { return each.name == name; });
         if (const auto program = peers::program_of(name); !program)
             asked.absent.push_back(name + ": " + peers::how_to_get(name));
         else if (is_new)

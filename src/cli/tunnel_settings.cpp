@@ -1,6 +1,7 @@
 #include "cli/tunnel_settings.hpp"
 
 #include "cli/exit_codes.hpp"
+#include "cli/peer_rows.hpp"
 #include "core/names.hpp"
 #include "peers/peers.hpp"
 #include "tunnel/peers.hpp"
@@ -67,6 +68,19 @@ void add_peer(const tunnel::Peers& peers, const std::string& name, bool has_scen
         settings.absent.push_back({name + " at walls", peers.no_walls});
 }
 
+/// Searches for critical speeds leave walls out: an option that asks for them says so, or is refused.
+void note_walls(TunnelSettings& settings)
+{
+    const std::vector<tunnel::Target>& targets = settings.matrix.targets;
+    const auto walls = std::count(targets.begin(), targets.end(), tunnel::Target::wall);
+    if (walls == 0) return;
+    if (walls == static_cast<std::ptrdiff_t>(targets.size()))
+        throw UsageError(
+            "--bisect: nothing is behind a wall, so that no speed is critical (add plate or sphere to "
+            "--target, or leave --bisect out)");
+    settings.absent.push_back({"critical speeds at walls", "nothing is behind one"});
+}
+
 void add_engine(const std::string& name, const std::function<bool()>& keep_going, TunnelSettings& settings)
 {
     if (const auto program = peers::program_of(name))
@@ -75,9 +89,10 @@ void add_engine(const std::string& name, const std::function<bool()>& keep_going
         settings.absent.push_back({name, peers::how_to_get(name)});
 }
 
-void add_methods(const Choices& choices, const Scene& scene, bool has_scene, const std::function<bool()>& keep_going,
-                 TunnelSettings& settings)
+void add_methods(const Choices& choices, const Scene& scene, const std::string& file,
+                 const std::function<bool()>& keep_going, TunnelSettings& settings)
 {
+    const bool has_scene = !file.empty();
     std::vector<std::string> usual = method_names();
     const std::vector<tunnel::Peers> libraries = all_peers();
     for (const tunnel::Peers& each : libraries) usual.insert(usual.end(), each.names.begin(), each.names.end());
@@ -99,8 +114,11 @@ void add_methods(const Choices& choices, const Scene& scene, bool has_scene, con
         }
     }
     if (has_scene && !choices.has("methods")) return;  // nobody asked for libraries
-    for (const std::string& name : peers::peer_names())
-        if (contains(wanted, name)) add_engine(name, keep_going, settings);
+    for (const std::string& name : peers::peer_names()) {
+        if (!contains(wanted, name)) continue;
+        expect_peers_know(scene, file);
+        add_engine(name, keep_going, settings);
+    }
     for (const tunnel::Peers& each : libraries)
         for (const std::string& name : each.names)
             if (contains(wanted, name)) add_peer(each, name, has_scene, settings);
@@ -116,7 +134,7 @@ TunnelSettings tunnel_settings(const TunnelArguments& args, const GlobalArgument
     choices.expect_known(
         {"speed", "thickness", "radius", "dt", "target", "offset", "methods", "trials", "bisect", "max_seconds"});
     if (has_scene)
-        for (const char* option : {"thickness", "radius", "target", "offset", "bisect"})
+        for (const char* option : {"thickness", "radius", "target", "offset"})
             if (args.given.contains(option))
                 throw UsageError(
                     fmt::format("--{}: the scene gives the bodies (leave the option out, or the scene)", option));
@@ -129,9 +147,10 @@ TunnelSettings tunnel_settings(const TunnelArguments& args, const GlobalArgument
     TunnelSettings settings;
     settings.matrix = matrix_of(choices);
     settings.matrix.seed = global.seed.value_or(scene.seed);
-    settings.bisect = choices.flag("bisect") && !has_scene;
+    settings.bisect = choices.flag("bisect");
+    if (settings.bisect && choices.has("target")) note_walls(settings);
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
-    add_methods(choices, scene, has_scene, keep_going, settings);
+    add_methods(choices, scene, file, keep_going, settings);
     return settings;
 }
 

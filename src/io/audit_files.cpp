@@ -74,6 +74,7 @@ std::string audit_json(const Scene& scene, const std::string& trace, const audit
     json["body_intervals"] = {{"all", audit.bodies.all},
                               {"decided", audit.bodies.decided},
                               {"without_flight", audit.bodies.without_flight},
+                              {"straight", audit.bodies.straight},
                               {"coarse", audit.bodies.coarse},
                               {"several", audit.bodies.several}};
     json["touches"] = {{"all", audit.touches.all},

@@ -83,7 +83,8 @@ PeerRun run_of_answer(const Scene& scene, const std::vector<double>& times, std:
             line = take_line(text);
             std::optional<BodyState> state = state_of(line, run.has_velocities);
             if (!state)
-                return no_answer(run, "the frame at t = " + to_text(times[k]) + " has no row of numbers for " + quoted(sphere.id));
+                return no_answer(
+                    run, "the frame at t = " + to_text(times[k]) + " has no row of numbers for " + quoted(sphere.id));
             if (sphere.fixed) state->mode = Mode::fixed;
             sample.push_back(*state);
         }

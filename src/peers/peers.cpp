@@ -23,12 +23,15 @@ struct Known {
     const char* program;   ///< file name
     const char* package;   ///< of Debian
     const char* argument;  ///< nullptr: none but --serve
+    /// As Contestant::chords_seen. ODE looks once a step and answers what approaches; Bullet's boxes have margins, and
+    /// its detection on the way a law of its own.
+    std::optional<double> chords;
 };
-constexpr std::array<Known, 5> known_peers{{{"bullet", "carom_peer_bullet", "libbullet-dev", nullptr},
-                                            {"bullet_ccd", "carom_peer_bullet", "libbullet-dev", "--ccd"},
-                                            {"bullet_defaults", "carom_peer_bullet", "libbullet-dev", "--defaults"},
-                                            {"ode", "carom_peer_ode", "libode-dev", nullptr},
-                                            {"ode_defaults", "carom_peer_ode", "libode-dev", "--defaults"}}};
+constexpr std::array<Known, 5> known_peers{{{"bullet", "carom_peer_bullet", "libbullet-dev", nullptr, {}},
+                                            {"bullet_ccd", "carom_peer_bullet", "libbullet-dev", "--ccd", {}},
+                                            {"bullet_defaults", "carom_peer_bullet", "libbullet-dev", "--defaults", {}},
+                                            {"ode", "carom_peer_ode", "libode-dev", nullptr, 1},
+                                            {"ode_defaults", "carom_peer_ode", "libode-dev", "--defaults", {}}}};
 
 const Known& known(const std::string& name)
 {
@@ -71,6 +74,11 @@ PeerRun ask(Program& program, const Scene& scene, double dt, const std::vector<d
 
 }  // namespace
 
+std::optional<double> chords_seen_by(const std::string& name)
+{
+    return known(name).chords;
+}
+
 const std::vector<std::string>& peer_names()
 {
     static const std::vector<std::string> names = [] {
@@ -97,10 +105,9 @@ std::string how_to_get(const std::string& name)
 Peer make_peer(const std::string& name, const std::filesystem::path& program)
 {
     const std::shared_ptr<Program> server = server_of(name, program);
-    return {name, [server](const Scene& scene, double dt, const std::vector<double>& times,
-                           const std::function<bool()>& keep_going) {
-                return ask(*server, scene, dt, times, keep_going);
-            }};
+    return {name,
+            [server](const Scene& scene, double dt, const std::vector<double>& times,
+                     const std::function<bool()>& keep_going) { return ask(*server, scene, dt, times, keep_going); }};
 }
 
 }  // namespace carom::peers

@@ -22,6 +22,9 @@ const std::vector<std::string>& peer_names();
 /// is not there. \pre the name is one of peer_names()
 std::optional<std::filesystem::path> program_of(const std::string& name);
 
+/// Law of the engine as of other methods (docs/tunnel.md); none where none is known.
+std::optional<double> chords_seen_by(const std::string& name);
+
 /// How to get what is not there, for messages.
 std::string how_to_get(const std::string& name);
 

@@ -41,6 +41,7 @@ tunnel::Contestant peer_contestant(const std::string& name, const std::filesyste
 {
     tunnel::Contestant who;
     who.method = name;
+    who.chords_seen = chords_seen_by(name);
     who.fly = [peer = make_peer(name, program), keep_going = std::move(keep_going)](const tunnel::Throw& t, double dt,
                                                                                     std::int64_t steps) {
         std::vector<double> times;

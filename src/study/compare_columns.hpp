@@ -198,7 +198,8 @@ inline constexpr std::array<CompareColumn, 40> compare_columns{{
     {"status", "status", ColumnUnit::none, "How the run ended; \"reached_end\" is the good one.",
      cell_of<&CompareRow::status>},
     {"peer_settings", "", ColumnUnit::none,
-     "Name, version and settings of an engine that is none of carom's. Its impacts are not counted, and its time is that "
+     "Name, version and settings of an engine that is none of carom's. Its impacts are not counted, and its time is "
+     "that "
      "of its own steps, as it says itself, without reading and writing.",
      cell_of<&CompareRow::peer_settings>},
 }};

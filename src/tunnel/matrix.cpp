@@ -73,6 +73,11 @@ void run_matrix(const Matrix& matrix, const std::vector<Contestant>& contestants
     report.interrupted = report.interrupted || patience.ended();
 }
 
+Throw example_of(const Row& row)
+{
+    return row.example_throw ? *row.example_throw : CellThrows(row.cell).at(row.example);
+}
+
 bool Report::exact_hold() const
 {
     const std::string& exact = method_names().front();

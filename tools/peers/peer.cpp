@@ -72,7 +72,8 @@ Arguments parsed(int argc, char** argv)
         if (name != "--dt" && name != "--frames" && name != "--until" && name != "--defaults" && name != "--ccd" &&
             name != "--iterations" && name != "--reduction" && name != "--serve")
             throw std::invalid_argument(name + ": unknown option");
-    if (arguments.scene.empty() != arguments.has("--serve")) throw std::invalid_argument("a scene is wanted, or --serve");
+    if (arguments.scene.empty() != arguments.has("--serve"))
+        throw std::invalid_argument("a scene is wanted, or --serve");
     return arguments;
 }
 

@@ -27,7 +27,8 @@ inline PlateBox plate_box(const Scene& scene, const Plane& plane)
         reach = std::max(reach, sphere.position.norm());
         smallest = std::min(smallest, sphere.radius);
     }
-    return {plane.offset * plane.normal, plate_reach * reach, std::max(*plane.thickness / 2, thinnest_plate * smallest)};
+    return {plane.offset * plane.normal, plate_reach * reach,
+            std::max(*plane.thickness / 2, thinnest_plate * smallest)};
 }
 
 }  // namespace carom::peers
