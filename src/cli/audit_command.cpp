@@ -71,7 +71,7 @@ int do_audit(const AuditArguments& args, const GlobalArguments& global, const Co
     if (facts.stopped == Status::interrupted) return exit_interrupted;
     if (audit.found_wrong() > 0) return exit_check_failed;
     if (facts.stopped) return exit_limit;
-    if (audit.says_something()) return exit_ok;
+    if (audit.frames >= 2 && audit.says_something()) return exit_ok;
     print_error(console, args.trace + ": nothing could be decided: " + why_nothing(audit));
     return exit_check_failed;
 }

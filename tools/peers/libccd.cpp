@@ -103,11 +103,11 @@ std::optional<double> first_contact(Ball ball, const Vec3& velocity, double leng
 
 Flown fly(const Throw& t, double dt, std::int64_t steps)
 {
-    const PeerScene scene = peer_scene(t);
+    const PeerScene scene = peer_scene(t, static_cast<double>(steps) * dt);
     const Box box{{scene.thickness / 2, plate_edge(scene) / 2, plate_edge(scene) / 2}};
     const Ball still{Vec3::Zero(), scene.thickness / 2};
     return fly_in_steps(t, dt, steps, scene, [&](const Vec3& from, const Vec3& velocity, double length) {
-        const Ball ball{from, scene.radius};
+        const Ball ball{from - scene.middle, scene.radius};
         return scene.target == Target::sphere ? first_contact(ball, velocity, length, still)
                                               : first_contact(ball, velocity, length, box);
     });
@@ -121,9 +121,8 @@ Peers libccd_peers()
     who.method = "libccd_advancement";
     who.variant = "MPR";
     who.chords_seen = std::numeric_limits<double>::infinity();
-    who.knows_walls = false;
     who.fly = fly;
-    return {{who.method}, {who}, "", "libccd knows bounded bodies only"};
+    return {{who.method}, {who}, ""};
 }
 
 }  // namespace carom::tunnel
