@@ -169,7 +169,7 @@ std::string peer_lines(const Comparison& comparison)
     std::string text;
     std::set<std::string> told;
     for (const CompareRow& row : comparison.rows)
-        if (row.peer_settings && told.insert(row.method).second)
+        if (!row.peer_settings.value_or("").empty() && told.insert(row.method).second)
             text += fmt::format("{}: {}\n", row.method, *row.peer_settings);
     return text;
 }

@@ -81,6 +81,8 @@ int do_tunnel(const TunnelArguments& args, const GlobalArguments& global, const 
     tunnel::Report report;
     report.seed = settings.matrix.seed;
     report.absent = settings.absent;
+    for (const tunnel::Contestant& who : settings.contestants)
+        if (!who.settings.empty()) report.engines.push_back({who.method, who.settings});
     const OnProgress on_progress = session.on_progress();
     try {
         if (file.empty())

@@ -63,9 +63,6 @@ void add_peer(const tunnel::Peers& peers, const std::string& name, bool has_scen
     }
     for (const tunnel::Contestant& who : peers.contestants)
         if (who.method == name) settings.contestants.push_back(who);
-    const std::vector<tunnel::Target>& targets = settings.matrix.targets;
-    if (std::find(targets.begin(), targets.end(), tunnel::Target::wall) != targets.end())
-        settings.absent.push_back({name + " at walls", peers.no_walls});
 }
 
 /// Searches for critical speeds leave walls out: an option that asks for them says so, or is refused.

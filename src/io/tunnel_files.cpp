@@ -71,6 +71,9 @@ std::string tunnel_json(const tunnel::Report& report, const CommandFacts& comman
     json["absent"] = Json::array();
     for (const tunnel::Absence& each : report.absent)
         json["absent"].push_back({{"name", each.name}, {"reason", each.reason}});
+    json["engines"] = Json::array();
+    for (const tunnel::EngineSettings& each : report.engines)
+        json["engines"].push_back({{"name", each.name}, {"settings", each.words}});
     json["rows"] = objects(tunnel::row_columns, report.rows);
     json["critical"] = objects(tunnel::critical_columns, report.criticals);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -26,6 +26,18 @@ std::optional<double> first_answer(const tunnel::Throw& t, const PeerRun& run, d
     return {};
 }
 
+/// What the engine says of itself in a run without a step; empty if it gives no answer, as then throws will tell.
+std::string settings_of(const Peer& peer, const std::function<bool()>& keep_going)
+{
+    Scene still;
+    still.end_time = 1;
+    Sphere ball;
+    ball.id = "ball";
+    ball.radius = 1;
+    still.spheres.push_back(ball);
+    return peer.run(still, 1, {}, keep_going).settings;
+}
+
 tunnel::Flown flown(const tunnel::Throw& t, const PeerRun& run, double dt)
 {
     const auto body = static_cast<std::size_t>(t.body);
@@ -42,8 +54,9 @@ tunnel::Contestant peer_contestant(const std::string& name, const std::filesyste
     tunnel::Contestant who;
     who.method = name;
     who.chords_seen = chords_seen_by(name);
-    who.fly = [peer = make_peer(name, program), keep_going = std::move(keep_going)](const tunnel::Throw& t, double dt,
-                                                                                    std::int64_t steps) {
+    const Peer peer = make_peer(name, program);
+    who.settings = settings_of(peer, keep_going);
+    who.fly = [peer, keep_going = std::move(keep_going)](const tunnel::Throw& t, double dt, std::int64_t steps) {
         std::vector<double> times;
         for (std::int64_t k = 1; k <= steps; ++k) times.push_back(static_cast<double>(k) * dt);
         const PeerRun run = peer.run(t.scene, dt, times, keep_going);

@@ -2,9 +2,9 @@
 
 #include "study/clock.hpp"
 #include "study/row_errors.hpp"
-#include "study/timing.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace carom::study {
 
@@ -55,13 +55,7 @@ std::optional<CompareRow> measure_peer(const RowMeasurer& measurer, const Peer& 
         if (again.status != Status::reached_end) break;
         seconds.push_back(again.cpu_seconds);
     }
-    row.repeats = static_cast<int>(seconds.size());
-    const MedianTime time = median_time(seconds);
-    row.cpu_seconds = time.median;
-    row.cpu_min = time.min;
-    row.cpu_max = time.max;
-    row.cpu_low = time.low;
-    row.cpu_high = time.high;
+    put_times(std::move(seconds), run.cpu_seconds, row);
     return row;
 }
 

@@ -162,7 +162,7 @@ std::vector<std::string> peer_sentences(const Comparison& comparison)
     std::vector<std::string> sentences;
     std::set<std::string> told;
     for (const CompareRow& row : comparison.rows)
-        if (row.peer_settings && told.insert(row.method).second)
+        if (!row.peer_settings.value_or("").empty() && told.insert(row.method).second)
             sentences.push_back(row.method + " is " + *row.peer_settings +
                                 "; its time is that of its own steps, as it says itself, without reading and writing, "
                                 "and its contacts are not seen.");

@@ -58,7 +58,6 @@ void run_matrix(const Matrix& matrix, const std::vector<Contestant>& contestants
         patience.name(who.method);
         for (const Cell& cell : cells) {
             if (!patience.lasts(static_cast<double>(done++))) break;
-            if (cell.target == Target::wall && !who.knows_walls) continue;
             CellThrows throws(cell);
             Tally tally(who, cell);
             for (const Aim& aim : aims_of(matrix, cell)) {

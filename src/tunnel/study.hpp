@@ -51,6 +51,11 @@ struct Critical {
     std::optional<double> law;  ///< infinite for methods that never tunnel; none without a law [length/time]
 };
 
+/// An engine that is none of carom's, and what was set.
+struct EngineSettings {
+    std::string name, words;
+};
+
 /// A contestant that could not be there, and why.
 struct Absence {
     std::string name, reason;
@@ -62,7 +67,8 @@ struct Report {
     std::vector<Row> rows;
     std::vector<Critical> criticals;
     std::vector<Absence> absent;
-    bool interrupted = false;  ///< rows and critical speeds are those finished before
+    std::vector<EngineSettings> engines;  ///< among the contestants
+    bool interrupted = false;             ///< rows and critical speeds are those finished before
 
     /// Whether every exact method hit in every throw.
     bool exact_hold() const;

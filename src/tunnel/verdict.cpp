@@ -94,6 +94,7 @@ std::vector<std::string> verdict(const Report& report)
         sentences.push_back(
             "Where methods begin to tunnel is told in v dt / (radius + thickness/2), on which alone the share "
             "depends.");
+    for (const EngineSettings& each : report.engines) sentences.push_back(each.name + " is " + each.words + ".");
     for (const Absence& each : report.absent) sentences.push_back("Absent: " + each.name + ", " + each.reason + ".");
     return sentences;
 }

@@ -90,5 +90,6 @@ TEST_CASE("tunnel throws with an engine that flies through: every throw tunnels,
     const json result = json::parse(said.out);
     CHECK(result["rows"][0]["tunnelled"] == 20);
     CHECK(result["critical"][0]["end"] == "below");
+    CHECK(result["engines"][0]["settings"] == "Walker 1.0, as it comes");
     CHECK(std::filesystem::exists(script.folder() / "out/throws/ode.json"));
 }

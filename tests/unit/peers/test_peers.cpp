@@ -91,10 +91,12 @@ TEST_CASE("a throw is answered where the velocity first changes by more than gra
     const Script script(
         "while read -r run dt times && read -r scene; do\n"
         "  echo '# Bouncer'; echo t,id,x,y,z,vx,vy,vz; set -- $times\n"
-        "  echo \"$1,s0,0.9,0,0,1,0,0\"; echo \"$2,s0,0.8,0,0,-1,0,0\"; echo \"$3,s0,0.7,0,0,-1,0,0\"\n"
+        "  if [ $# -gt 0 ]; then echo \"$1,s0,0.9,0,0,1,0,0\"; echo \"$2,s0,0.8,0,0,-1,0,0\"; echo "
+        "\"$3,s0,0.7,0,0,-1,0,0\"; fi\n"
         "  echo '# steps 3 cpu_seconds 0'; echo '# end'\n"
         "done\n");
     const tunnel::Contestant who = peers::peer_contestant("ode", script.file(), {});
+    CHECK(who.settings == "Bouncer");
     const tunnel::Flown flown = who.fly(thrown(), 0.1, 3);
     CHECK(flown.answered.value() == 0.1);  // the second step moves with the velocity that its begin gave it
     CHECK(flown.position == Vec3(0.8, 0, 0));
