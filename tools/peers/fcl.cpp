@@ -51,7 +51,7 @@ std::shared_ptr<fcl::MotionBased> motion(Path path, const Vec3& from, const Vec3
 
 Flown fly(const Throw& t, double dt, std::int64_t steps, const fcl::ContinuousCollisionRequestd& request, Path path)
 {
-    const PeerScene scene = peer_scene(t, static_cast<double>(steps) * dt);
+    const PeerScene scene = peer_scene(t, dt);
     const fcl::Sphered ball(scene.radius);
     const std::shared_ptr<fcl::CollisionGeometryd> target = geometry(scene);
     const std::shared_ptr<fcl::MotionBased> still = motion(path, scene.middle, scene.middle);

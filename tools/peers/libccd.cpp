@@ -103,7 +103,7 @@ std::optional<double> first_contact(Ball ball, const Vec3& velocity, double leng
 
 Flown fly(const Throw& t, double dt, std::int64_t steps)
 {
-    const PeerScene scene = peer_scene(t, static_cast<double>(steps) * dt);
+    const PeerScene scene = peer_scene(t, dt);
     const Box box{{scene.thickness / 2, plate_edge(scene) / 2, plate_edge(scene) / 2}};
     const Ball still{Vec3::Zero(), scene.thickness / 2};
     return fly_in_steps(t, dt, steps, scene, [&](const Vec3& from, const Vec3& velocity, double length) {

@@ -29,17 +29,15 @@ inline double plate_edge(const PeerScene& scene)
     return plate_width * (scene.radius + thickness / 2);
 }
 
-/// Depth of the box that stands for a wall [way of the ball in the throw]: it comes out at no pose.
-inline constexpr double wall_depth = 2;
-
 /// \pre the throw is of a cell: ball first, then a sphere, a plate or a wall at the origin
-inline PeerScene peer_scene(const Throw& t, double duration)
+inline PeerScene peer_scene(const Throw& t, double dt)
 {
     const double radius = t.scene.spheres[0].radius;
     if (t.scene.spheres.size() > 1) return {radius, Target::sphere, 2 * t.scene.spheres[1].radius, Vec3::UnitX()};
     const Plane& plane = t.scene.planes[0];
     if (plane.thickness) return {radius, Target::plate, *plane.thickness, plane.normal};
-    const double depth = wall_depth * (t.scene.spheres[0].velocity.norm() * duration + radius);
+    // So deep that a ball which begins a step outside does not come out at its end.
+    const double depth = t.scene.spheres[0].velocity.norm() * dt + 2 * radius;
     return {radius, Target::wall, depth, plane.normal, -depth / 2 * plane.normal};
 }
 
