@@ -127,13 +127,12 @@ TEST_CASE("frames need a folder and a rate, and come from discrete methods as we
     const Folder folder;
     CHECK(carom_tool({"run", "cradle", "--frames", "240"}).code == exit_usage);
     CHECK(carom_tool({"run", "cradle", "--frames", "0", "-o", folder.path.string()}).code == exit_usage);
-    const std::vector<std::string> pbd{
-        "run", "bouncing_ball", "--method", "pbd", "--dt", "1/60", "--frames", "240", "-o", folder.path.string(), "-q"};
+    const std::vector<std::string> pbd{"run", "bouncing_ball",      "--method", "pbd", "--dt", "1/60", "--frames", "60",
+                                       "-o",  folder.path.string(), "-q"};
     REQUIRE(carom_tool(pbd).code == exit_ok);
     const json found = audited(folder.path / "frames.csv", "bouncing_ball", exit_check_failed);
-    CHECK(found["late"].get<int>() + found["missed"].get<int>() + found["early"].get<int>() +
-              found["invented"].get<int>() >
-          0);
+    CHECK(found["late"].get<int>() > 0);  // it answers at the ends of steps
+    CHECK(found["invented"].get<int>() == 0);
 }
 
 TEST_CASE("frames of the event method under drag show no contact missed and none invented", "[cli]")
