@@ -201,6 +201,22 @@ TEST_CASE("tunnel says what is wrong, where, and what would be right", "[cli]")
     refused({"tunnel", folder / "wrong.json"}, exit_bad_input, "/tunnel/methods: unknown method \"pdb\"");
 }
 
+TEST_CASE("collision libraries are thrown at walls as at plates, and miss none; libccd finds the time", "[cli]")
+{
+    const Said said =
+        carom_tool({"tunnel", "--target", "wall", "--radius", "0.1", "--dt", "1/60", "--speed", "1,31.6,1e4",
+                    "--methods", "fcl_naive,fcl_advancement,libccd_advancement", "--trials", "50", "--json"});
+    REQUIRE(said.code == exit_ok);
+    const json result = json::parse(said.out);
+    CHECK(result["rows"].size() + result["absent"].size() > 0);
+    for (const json& row : result["rows"]) {
+        CAPTURE(row["method"], row["variant"], row["speed"]);
+        CHECK(row["tunnelled"] == 0);
+        CHECK(row["wrong"] == 0);
+        if (row["method"] == "libccd_advancement") CHECK(row["worst_error"] < 1e-8);
+    }
+}
+
 TEST_CASE("tunnel stops at its time limit with whole files", "[cli]")
 {
     const Folder folder;
