@@ -67,10 +67,32 @@ struct RunStudy {
 /// \pre as `simulate`; intervals >= 1. Nothing is thrown but what the functions of the options throw.
 RunStudy run_study(const Scene& scene, const Method& method, const RunStudyOptions& options = {});
 
+/// A run of an engine that is none of carom's.
+struct PeerRun {
+    std::vector<std::vector<BodyState>> samples;  ///< of the first of the times asked for; all if it reached the end
+    bool has_velocities = true;                   ///< false: velocities of the samples mean nothing
+    double cpu_seconds = 0;                       ///< of its own steps, as it says itself [s]
+    std::int64_t steps = 0;
+    std::string settings;  ///< name, version, and what was set, in words
+    Status status = Status::reached_end;
+    std::string message;  ///< why it did not reach the end
+};
+
+/// An engine that is none of carom's, with its settings: what takes a scene and a step and shows its states. Programs
+/// are started by `src/peers`; a test may have one of its own.
+struct Peer {
+    std::string name;  ///< as rows name it, "bullet"
+    /// \param times ascending, >= 0 [time] \param keep_going asked now and then; false ends the run: `interrupted`
+    std::function<PeerRun(const Scene&, double dt, const std::vector<double>& times,
+                          const std::function<bool()>& keep_going)>
+        run;
+};
+
 struct CompareOptions {
     // Every combination is a row, but none twice: a method is run once for values of options that it does not read.
     std::vector<std::string> methods;                        ///< as `make_method`
-    std::vector<double> dt;                                  ///< > 0, for discrete methods [time]
+    std::vector<Peer> peers;                                 ///< rows of their own, at each step
+    std::vector<double> dt;                                  ///< > 0, for discrete methods and peers [time]
     std::vector<int> substeps{1}, passes{1};                 ///< >= 1
     std::vector<ContactOrder> orders{ContactOrder::index};   ///< for methods that visit contacts one by one
     std::vector<Integrator> integrators{Integrator::euler};  ///< where there is gravity or drag
@@ -141,6 +163,7 @@ struct CompareRow {
     std::optional<ImpactOperator> impact;              ///< of `event`
     std::optional<double> stiffness;                   ///< of `penalty`; none: each contact has its own [mass/time^2]
     std::optional<double> hertz, damping_ratio;        ///< of `soft` [1/time], [1]
+    std::optional<std::string> peer_settings;          ///< of a peer, which shows states and no contacts
     double cpu_seconds = 0, cpu_min = 0, cpu_max = 0;  ///< median, least and greatest of `repeats` timed runs [s]
     double cpu_low = 0, cpu_high = 0;                  ///< interval of the median, 95 % from six repeats on [s]
     int repeats = 0;  ///< 0: the recorded run alone was timed, it was too long to repeat

@@ -34,18 +34,40 @@ bool meets_obstacle(const Scene& scene, BodyId body, BodyId partner, const Inter
 
 Around around(const Scene& scene, const Interval& interval, Pairs pairs)
 {
-    Around result{std::vector<int>(scene.spheres.size()), std::vector<int>(scene.spheres.size())};
+    Around result{std::vector<int>(scene.spheres.size()), std::vector<int>(scene.spheres.size()), {}};
     for (const Touch& touch : interval.touches) pairs.insert({touch.a, touch.b});
     for (const auto& [a, b] : pairs) {
         ++result.contacts[static_cast<std::size_t>(a)];
         if (is_sphere(scene, b)) ++result.contacts[static_cast<std::size_t>(b)];
     }
+    result.pairs = std::move(pairs);
     for (const auto& [a, b] : interval.near) {
         const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
         if (is_disturbed(interval.motions[j])) ++result.disturbed[i];
         if (is_disturbed(interval.motions[i])) ++result.disturbed[j];
     }
     return result;
+}
+
+std::set<BodyId> possible_partners(const Scene& scene, BodyId body, const Interval& interval, const Around& around)
+{
+    std::set<BodyId> partners;
+    for (const auto& [a, b] : around.pairs)
+        if (a == body || b == body) partners.insert(a == body ? b : a);
+    const BodyMotion& motion = interval.motions[static_cast<std::size_t>(body)];
+    for (const std::optional<Parabola>* flight : {&motion.before, &motion.after}) {
+        if (!*flight) continue;
+        for (std::size_t p = 0; p < scene.planes.size(); ++p)
+            if (may_touch_plane(scene, body, **flight, p, interval.begin, interval.end))
+                partners.insert(scene.plane_body(p));
+        for (const auto& [a, b] : interval.near) {
+            const BodyMotion& other = interval.motions[static_cast<std::size_t>(a == body ? b : a)];
+            if ((a == body || b == body) && other.before &&
+                may_touch(scene, body, **flight, a == body ? b : a, *other.before, interval.begin, interval.end))
+                partners.insert(a == body ? b : a);
+        }
+    }
+    return partners;
 }
 
 bool is_alone(const Scene& scene, const Pair& pair, const Interval& interval, const Around& around, double from)

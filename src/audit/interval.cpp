@@ -10,20 +10,44 @@ namespace carom::audit {
 
 namespace {
 
-std::optional<Parabola> through(const Window& window, std::size_t first, std::size_t count, std::size_t sphere,
-                                const Vec3& gravity)
+using Sightings = std::array<Sighting, fitted_frames>;
+
+/// \pre the window has so many frames
+Sightings sightings_of(const Window& window, std::size_t first, std::size_t count, std::size_t sphere)
 {
-    if (first + count > window.frames.size()) return std::nullopt;
-    std::array<Sighting, fitted_frames> sightings;
+    Sightings sightings;
     for (std::size_t k = 0; k < count; ++k) {
         const SeenFrame& frame = window.frames[first + k];
         sightings[k] = {frame.time, frame.places[sphere], frame.errors[sphere]};
     }
-    return fitted({sightings.data(), count}, gravity, window.time_error);
+    return sightings;
+}
+
+std::optional<Parabola> through(const Window& window, std::size_t first, std::size_t count, std::size_t sphere,
+                                const Pull& pull)
+{
+    if (first + count > window.frames.size()) return std::nullopt;
+    const Sightings sightings = sightings_of(window, first, count, sphere);
+    return fitted({sightings.data(), count}, pull, window.time_error);
+}
+
+/// Bend of the frames that hold the interval: the three that end with it, and the three that begin with it. One that
+/// is straight says more than one that has a kink.
+Bend bend_around(const Window& window, std::size_t sphere, const Pull& pull)
+{
+    Bend bend = Bend::hidden;
+    for (std::size_t first = window.begin > 0 ? window.begin - 1 : 0; first <= window.begin; ++first) {
+        if (first + fitted_frames > window.frames.size()) break;
+        const Sightings sightings = sightings_of(window, first, fitted_frames, sphere);
+        const Bend here = bend_of(sightings, pull, window.time_error);
+        if (here == Bend::straight || bend == Bend::hidden) bend = here;
+        if (bend == Bend::straight) break;
+    }
+    return bend;
 }
 
 /// The flight with which the scene begins. Its velocity as frames see it depends on the engine's step, of which only
-/// the length of an interval is known to bound it: half of what gravity adds in one.
+/// the length of an interval is known to bound it: half of what gravity and drag add in one.
 Parabola at_start(const Scene& scene, const Window& window, std::size_t sphere)
 {
     const SeenFrame& first = window.frames[0];
@@ -31,8 +55,8 @@ Parabola at_start(const Scene& scene, const Window& window, std::size_t sphere)
     p.time = p.middle = first.time;
     p.place = first.places[sphere];
     p.velocity = scene.spheres[sphere].velocity;
-    p.acceleration = scene.gravity;
-    p.velocity_error = scene.gravity.norm() * (window.frames[1].time - first.time) / 2;
+    p.pull = pull_of(scene);
+    p.velocity_error = p.bend(first.time, first.time) * (window.frames[1].time - first.time) / 2;
     p.place_error = first.errors[sphere] + window.time_error * p.velocity.norm();
     return p;
 }
@@ -40,11 +64,11 @@ Parabola at_start(const Scene& scene, const Window& window, std::size_t sphere)
 std::optional<Parabola> flight_before(const Scene& scene, const Window& window, std::size_t sphere)
 {
     if (window.begin + 1 >= fitted_frames)
-        return through(window, window.begin + 1 - fitted_frames, fitted_frames, sphere, scene.gravity);
+        return through(window, window.begin + 1 - fitted_frames, fitted_frames, sphere, pull_of(scene));
     if (!window.from_start) return std::nullopt;
     const Parabola start = at_start(scene, window, sphere);
     if (window.begin == 0) return start;
-    const std::optional<Parabola> two = through(window, 0, 2, sphere, scene.gravity);
+    const std::optional<Parabola> two = through(window, 0, 2, sphere, pull_of(scene));
     return is_same(start, *two) ? two : std::nullopt;
 }
 
@@ -60,19 +84,21 @@ BodyMotion motion_of(const Scene& scene, const Window& window, std::size_t spher
     }
     const double duration = to.time - from.time;
     motion.before = flight_before(scene, window, sphere);
-    motion.after = through(window, window.begin + 1, fitted_frames, sphere, scene.gravity);
+    motion.after = through(window, window.begin + 1, fitted_frames, sphere, pull_of(scene));
+    motion.from_scene = window.begin + 1 < fitted_frames;
+    motion.bend = bend_around(window, sphere, pull_of(scene));
     if (motion.after) motion.after = given_at(*motion.after, to.time);
     double way = (to.places[sphere] - from.places[sphere]).norm();
     if (motion.after) way = std::max(way, motion.after->velocity.norm() * duration);
     if (motion.before) {
         const Parabola& before = *motion.before;
         way = std::max(way, before.velocity.norm() * duration + before.error_at(to.time));
-        const double off = (to.places[sphere] - before.place_at(to.time)).norm();
-        const bool arrived = off <= before.error_at(to.time) + to.errors[sphere];
+        motion.off = to.places[sphere] - before.place_at(to.time);
+        motion.off_error = before.error_at(to.time) + to.errors[sphere];
         if (motion.after)
             motion.course = is_same(before, *motion.after) ? Course::kept : Course::changed;
         else
-            motion.course = arrived ? Course::arrived : Course::changed;
+            motion.course = motion.off.norm() <= motion.off_error ? Course::arrived : Course::changed;
     }
     // Without a flight a body may have gone to and fro between frames, as quickly as it ever went.
     if (motion.course == Course::unknown || !motion.after) way = std::max(way, window.fastest[sphere] * duration);

@@ -38,11 +38,21 @@ enum class Course : std::uint8_t {
     changed   ///< it has left its flight
 };
 
+/// A body of the scene in flight.
+inline Pull pull_of(const Scene& scene)
+{
+    return {scene.gravity, scene.drag};
+}
+
 struct BodyMotion {
     Course course = Course::unknown;
     std::optional<Parabola> before;  ///< given at the begin of the interval
     std::optional<Parabola> after;   ///< given at its end
+    Vec3 off = Vec3::Zero();         ///< place at the end of the interval, less that of `before` there [length]
+    double off_error = 0;            ///< [length]
     double way = 0;                  ///< within which it may have been aside of its middle place [length]
+    bool from_scene = false;         ///< `before` is how the scene begins: fewer than three frames have shown it
+    Bend bend = Bend::hidden;        ///< of the frames around the interval
 };
 
 struct Interval {

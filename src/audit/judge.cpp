@@ -1,5 +1,6 @@
 #include "audit/judge.hpp"
 
+#include "audit/impossible.hpp"
 #include "audit/tolerances.hpp"
 
 #include <algorithm>
@@ -154,7 +155,8 @@ void Judge::notice_sides(const Interval& interval, const SeenFrame& from, const 
             finding.depth = scene_.spheres[i].radius + *plane.thickness / 2;
             finding.begin = interval.begin;
             finding.span = (1 + scene_margin) * span;
-            const Vec3 velocity = (to.places[i] - from.places[i]) / span - span / 2 * scene_.gravity;
+            const Vec3 mean = (to.places[i] - from.places[i]) / span;
+            const Vec3 velocity = mean - span / 2 * (scene_.gravity - scene_.drag * mean);
             finding.bodies.push_back({pair.first, from.places[i], velocity});
             ++report_.touches.all;
             keep(finding);
@@ -188,10 +190,26 @@ void Judge::tell_invented(const Interval& interval, std::size_t sphere)
     note_turn(interval, body);
 }
 
+void Judge::notice_impossible(const Interval& interval, const Around& around)
+{
+    for (std::size_t i = 0; i < interval.motions.size(); ++i) {
+        const BodyMotion& motion = interval.motions[i];
+        if (motion.course != Course::changed || !motion.after || motion.from_scene || around.disturbed[i] > 0) continue;
+        const auto body = static_cast<BodyId>(i);
+        if (was_told(interval, body) || is_coarse(scene_, interval, i) || may_end_a_step(motion)) continue;
+        if (has_jumped(scene_, interval, i, around) || is_pulled_back(scene_, interval, i, around))
+            tell_invented(interval, i);
+    }
+}
+
 bool Judge::is_invention(const Interval& interval, std::size_t sphere, const Around& around) const
 {
     if (around.contacts[sphere] > 0 || around.disturbed[sphere] > 0) return false;
-    const std::optional<Turn> turn = turn_of(interval.motions[sphere]);
+    const BodyMotion& motion = interval.motions[sphere];
+    // How a scene begins says little of the engine's first frames until a flight behind them is known.
+    if (motion.from_scene && !motion.after && motion.before->bend(interval.begin, interval.begin) > 0) return false;
+    const std::optional<Turn> turn = turn_of(motion);
+    if (may_end_a_step(motion)) return false;
     // A change at the end is seen again in the next interval, with what happens there; one at the begin may be that of
     // a contact before, too small for the three frames to show it.
     if (turn && turn->time + turn->error > interval.end) return false;
@@ -206,8 +224,8 @@ void Judge::count_bodies(const Interval& interval, const Around& around)
         if (scene_.spheres[i].fixed) continue;
         ++count.all;
         if (motion.course == Course::unknown) {
-            ++count.without_flight;
-        } else if (motion.before->error_at(interval.end) > coarse_error * scene_.spheres[i].radius) {
+            ++(motion.bend == Bend::straight ? count.straight : count.without_flight);
+        } else if (is_coarse(scene_, interval, i)) {
             ++count.coarse;
         } else if (motion.course != Course::changed || told_[i] != 0 || was_told(interval, static_cast<BodyId>(i))) {
             ++count.decided;
@@ -215,7 +233,8 @@ void Judge::count_bodies(const Interval& interval, const Around& around)
             tell_invented(interval, i);
             ++count.decided;
         } else {
-            ++count.several;
+            const bool is_free = around.contacts[i] == 0 && around.disturbed[i] == 0;
+            ++(is_free && may_end_a_step(motion) ? count.straight : count.several);
         }
         if (around.contacts[i] > 0 || around.disturbed[i] > 0)
             uneasy_[i] = fitted_frames;
@@ -235,6 +254,7 @@ void Judge::judge(const Interval& interval, const SeenFrame& from, const SeenFra
     for (const auto& [pair, waiting] : waiting_) pairs.insert(pair);
     notice_sides(interval, from, to);
     const Around about = around(scene_, interval, std::move(pairs));
+    notice_impossible(interval, about);
     hear_answers(interval, from, to, about);
     count_bodies(interval, about);
     for (Finding& each : overlaps_.look(from, to, interval.near)) keep(std::move(each));

@@ -38,6 +38,8 @@ private:
     bool is_known_miss(const Pair& pair);
     void notice_sides(const Interval& interval, const SeenFrame& from, const SeenFrame& to);
     void count_bodies(const Interval& interval, const Around& around);
+    /// Changes that no contact makes, whatever the body may touch.
+    void notice_impossible(const Interval& interval, const Around& around);
     /// Whether a sphere has left its flight where nothing can have touched it.
     bool is_invention(const Interval& interval, std::size_t sphere, const Around& around) const;
     void tell_invented(const Interval& interval, std::size_t sphere);

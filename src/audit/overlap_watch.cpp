@@ -44,8 +44,11 @@ Finding OverlapWatch::begun(const Pair& pair, const SeenFrame& from, const SeenF
         const auto i = static_cast<std::size_t>(body);
         if (i >= to.places.size()) continue;
         const bool moves = approach && !scene_.spheres[i].fixed;
-        const Vec3 velocity =
-            moves ? Vec3((to.places[i] - from.places[i]) / span - span / 2 * scene_.gravity) : Vec3(Vec3::Zero());
+        Vec3 velocity = Vec3::Zero();
+        if (moves) {
+            const Vec3 mean = (to.places[i] - from.places[i]) / span;
+            velocity = mean - span / 2 * (scene_.gravity - scene_.drag * mean);
+        }
         finding.bodies.push_back({body, (approach ? from : to).places[i], velocity});
     }
     return finding;

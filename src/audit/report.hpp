@@ -47,8 +47,11 @@ struct BodyIntervals {
     std::int64_t all = 0;
     std::int64_t decided = 0;         ///< its flight before is known, and what happened is a contact or a finding
     std::int64_t without_flight = 0;  ///< no flight before: in contact, or contacts within few frames of each other
-    std::int64_t coarse = 0;          ///< digits or frames leave the flight unknown to more than 0.01 radii
-    std::int64_t several = 0;         ///< a change that more than one contact, or one that may have been, can explain
+    /// On a straight line where flights bend: between the steps of a method that moves straight within them, or carried
+    /// by a plane. Undecided.
+    std::int64_t straight = 0;
+    std::int64_t coarse = 0;   ///< digits or frames leave the flight unknown to more than 0.01 radii
+    std::int64_t several = 0;  ///< a change that more than one contact, or one that may have been, can explain
 };
 
 /// Touches that flights have for certain.

@@ -18,6 +18,10 @@ inline constexpr int digits_of_single = 9;
 /// Roundings [1] between equal spacings of frames: of two sums, two differences, and the decimal.
 inline constexpr double spacing_roundings = 8;
 
+/// Roundings [1, of the time] of a time of impact under drag, beside the errors of frames, which are larger: twice
+/// those of its gap.
+inline constexpr double damped_time_roundings = 64;
+
 /// Frames [1] of a fitted flight: two give its place and velocity, the third says that it is one.
 inline constexpr std::size_t fitted_frames = 3;
 /// Error [radius] of a place at the end of an interval up to which it says something of contacts: a hundredth of the

@@ -1,6 +1,6 @@
 #include "audit/touch.hpp"
 
-#include <carom/time_of_impact.hpp>
+#include "audit/impact_of_flights.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@ namespace carom::audit {
 
 namespace {
 
-/// Height of an arc over its chord [length].
-double sagitta(const Vec3& acceleration, double duration)
+/// Height of an arc over its chord [length]. \param bend its largest acceleration
+double sagitta(double bend, double duration)
 {
-    return acceleration.norm() * duration * duration / 8;
+    return bend * duration * duration / 8;
 }
 
 /// Distance of the origin from the chord between two places [length].
@@ -24,11 +24,6 @@ double distance_of_chord(const Vec3& from, const Vec3& to)
     return (from + part * way).norm();
 }
 
-MovingSphere moving(const Parabola& flight, double time, double radius)
-{
-    return {flight.place_at(time), flight.velocity_at(time), flight.acceleration, radius};
-}
-
 double radius_of(const Scene& scene, BodyId body)
 {
     return scene.spheres[static_cast<std::size_t>(body)].radius;
@@ -36,7 +31,7 @@ double radius_of(const Scene& scene, BodyId body)
 
 /// Times of impact with the largest, the given and the smallest radius that errors allow.
 struct Times {
-    TimeOfImpact early, given, late;
+    ImpactOfFlights early, given, late;
     bool has_late = true;  ///< errors leave something of the body
 };
 
@@ -84,7 +79,7 @@ bool may_touch(const Scene& scene, BodyId a, const Parabola& flight_a, BodyId b,
     const Vec3 from = flight_a.place_at(begin) - flight_b.place_at(begin);
     const Vec3 to = flight_a.place_at(end) - flight_b.place_at(end);
     return distance_of_chord(from, to) <= radius_of(scene, a) + radius_of(scene, b) + error +
-                                              sagitta(flight_a.acceleration - flight_b.acceleration, end - begin);
+                                              sagitta(relative(flight_a, flight_b).bend(begin, end), end - begin);
 }
 
 bool may_touch_plane(const Scene& scene, BodyId a, const Parabola& flight, std::size_t plane, double begin, double end)
@@ -94,7 +89,7 @@ bool may_touch_plane(const Scene& scene, BodyId a, const Parabola& flight, std::
     const Vec3 from = flight.place_at(begin), to = flight.place_at(end);
     if (p.thickness && is_behind(p, from) != is_behind(p, to)) return true;
     return std::min(plane_gap(p, sphere, from), plane_gap(p, sphere, to)) <=
-           std::max(flight.error_at(begin), flight.error_at(end)) + sagitta(flight.acceleration, end - begin);
+           std::max(flight.error_at(begin), flight.error_at(end)) + sagitta(flight.bend(begin, end), end - begin);
 }
 
 std::optional<Touch> sphere_touch(const Scene& scene, BodyId a, const Parabola& flight_a, BodyId b,
@@ -103,13 +98,13 @@ std::optional<Touch> sphere_touch(const Scene& scene, BodyId a, const Parabola& 
     const double begin = flight_a.time;
     if (!may_touch(scene, a, flight_a, b, flight_b, begin, end)) return std::nullopt;
     const double error = flight_a.error_at(end) + flight_b.error_at(end), radius = radius_of(scene, a);
-    const MovingSphere other = moving(flight_b, begin, radius_of(scene, b));
+    const double other = radius_of(scene, b);
     Times times;
-    times.early = time_of_impact(moving(flight_a, begin, radius + error), other);
-    times.given = time_of_impact(moving(flight_a, begin, radius), other);
+    times.early = impact_of(flight_a, radius + error, flight_b, other);
+    times.given = impact_of(flight_a, radius, flight_b, other);
     // The error is taken from one radius: it may be larger than that of a small sphere, not than their sum.
     times.has_late = error < radius;
-    if (times.has_late) times.late = time_of_impact(moving(flight_a, begin, radius - error), other);
+    if (times.has_late) times.late = impact_of(flight_a, radius - error, flight_b, other);
     const double gap_now = gap(scene, a, flight_a.place_at(begin), b, flight_b.place_at(begin));
     std::optional<Touch> touch =
         touch_of(times, begin, end - begin, gap_now, error, flight_a.velocity_error + flight_b.velocity_error);
@@ -129,10 +124,10 @@ std::optional<Touch> plane_touch(const Scene& scene, BodyId a, const Parabola& f
     const Plane& p = scene.planes[plane];
     const double error = flight.error_at(end), radius = radius_of(scene, a);
     Times times;
-    times.early = time_of_impact(moving(flight, begin, radius + error), p);
-    times.given = time_of_impact(moving(flight, begin, radius), p);
+    times.early = impact_of(flight, radius + error, p);
+    times.given = impact_of(flight, radius, p);
     times.has_late = error < radius;
-    if (times.has_late) times.late = time_of_impact(moving(flight, begin, radius - error), p);
+    if (times.has_late) times.late = impact_of(flight, radius - error, p);
     const BodyId body = scene.plane_body(plane);
     std::optional<Touch> touch =
         touch_of(times, begin, end - begin, gap(scene, a, flight.place_at(begin), body, Vec3::Zero()), error,

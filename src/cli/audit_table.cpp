@@ -42,6 +42,7 @@ std::string summary(const audit::TraceAudit& audit)
         {"  decided", share(bodies.decided, bodies.all)},
         {"  no flight before",
          share(bodies.without_flight, bodies.all) + ": lasting contact, or contacts close together"},
+        {"  on straight lines", share(bodies.straight, bodies.all) + ": within a method's steps (--step), or carried"},
         {"  too coarse", share(bodies.coarse, bodies.all) + ": unknown to more than 0.01 radii"},
         {"  several", share(bodies.several, bodies.all) + ": a change that other contacts may explain"},
         {"touches", fmt::format("{}", audit.touches.all)},

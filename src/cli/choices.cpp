@@ -3,6 +3,7 @@
 #include "cli/exit_codes.hpp"
 #include "cli/limits.hpp"
 #include "cli/lists.hpp"
+#include "cli/peer_rows.hpp"
 #include "core/names.hpp"
 #include "io/problems.hpp"
 
@@ -255,7 +256,11 @@ CompareSettings compare_settings(const CompareArguments& args, const GlobalArgum
     CompareSettings settings;
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
     CompareOptions& options = settings.compare;
-    options.methods = choices.methods("methods", method_names());
+    AskedMethods asked =
+        asked_methods(choices.words("methods", method_names(), methods_and_peers(), "method"), scene, file);
+    options.methods = std::move(asked.methods);
+    options.peers = std::move(asked.peers);
+    settings.absent = std::move(asked.absent);
     options.dt = choices.numbers("dt", {1.0 / 60, 1.0 / 240, 1.0 / 1000});
     options.substeps = choices.integers("substeps", options.substeps);
     options.passes = choices.integers("passes", options.passes);

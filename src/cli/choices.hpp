@@ -69,6 +69,7 @@ RunSettings run_settings(const RunArguments& args, const GlobalArguments& global
 
 struct CompareSettings {
     CompareOptions compare;
+    std::vector<std::string> absent;  ///< engines asked for that are not there, and how to get them
     double max_seconds = std::numeric_limits<double>::infinity();  ///< for the whole command [s]
 };
 CompareSettings compare_settings(const CompareArguments& args, const GlobalArguments& global, const Scene& scene,

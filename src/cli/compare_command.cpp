@@ -54,6 +54,7 @@ int do_compare(const CompareArguments& args, const GlobalArguments& global, cons
                                              ? std::filesystem::path("out") / ("compare-" + file.stem().string())
                                              : std::filesystem::path(args.out);
 
+    for (const std::string& each : settings.absent) print_note(console, each);
     if (!global.quiet)
         for (const std::string& each : unused_materials(scene, args.set)) print_note(console, each);
 

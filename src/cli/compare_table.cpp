@@ -64,10 +64,10 @@ std::string heading(std::string_view name, const Units& units)
 }
 
 /// Impacts are counted while run and reference agree. A run that parts from it before the first one has none to miss,
-/// and so has one whose reference ends at the start.
+/// and so has one whose reference ends at the start. A peer shows no impacts at all.
 bool never_judged(const CompareRow& row)
 {
-    return (row.divergence_time || !row.position_max) && row.reference_impacts == 0;
+    return row.peer_settings || ((row.divergence_time || !row.position_max) && row.reference_impacts == 0);
 }
 
 std::string status_text(const CompareRow& row)
@@ -164,6 +164,17 @@ std::vector<Column> columns(const Scene& scene, const Comparison& comparison)
     return all;
 }
 
+/// A line for each engine that is none of carom's: what was set.
+std::string peer_lines(const Comparison& comparison)
+{
+    std::string text;
+    std::set<std::string> told;
+    for (const CompareRow& row : comparison.rows)
+        if (!row.peer_settings.value_or("").empty() && told.insert(row.method).second)
+            text += fmt::format("{}: {}\n", row.method, *row.peer_settings);
+    return text;
+}
+
 std::string head(const Scene& scene, const Comparison& comparison)
 {
     const ReferenceSummary& reference = comparison.reference;
@@ -178,7 +189,7 @@ std::string head(const Scene& scene, const Comparison& comparison)
     if (const double radius = smallest_radius(scene); radius > 0)
         text += " (" + study::two_digits(comparison.tolerance / radius) + " of the smallest radius" +
                 (comparison.is_default_tolerance ? "; --tolerance changes it)" : ")");
-    return text + "\n" + audit_line(comparison);
+    return text + "\n" + audit_line(comparison) + peer_lines(comparison);
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ void define_audit(CLI::App& app, AuditArguments& audit)
     app.add_option("--scene", audit.scene, "Scene file, or a name of the catalogue, whose frames these are")
         ->required()
         ->type_name("SCENE");
+    add_given(app, audit.given, "--step", "H",
+              "Step of the engine: frames that fall on no step are left out [each frame is judged]");
     add_scene_options(app, audit.allow_overlap, audit.set);
     app.add_option("-o,--out", audit.out, "Write DIR/audit.json, and for each finding the smallest scene that shows it")
         ->type_name("DIR");
@@ -21,7 +23,7 @@ void define_audit(CLI::App& app, AuditArguments& audit)
         "exactly, and what touches must answer. docs/audit.md has the rules.\n"
         "  missed    two bodies touch and fly on, or a centre changes the side of a plate\n"
         "  late      they answer, but later than they touch; early: before\n"
-        "  invented  a velocity changes where nothing touches\n"
+        "  invented  a velocity or a place changes as no contact changes it\n"
         "  overlap   frames show bodies inside each other\n"
         "What has several contacts in an interval, or frames too coarse, is undecided and counted.\n"
         "Examples:\n"

@@ -20,11 +20,12 @@ void define_tunnel(CLI::App& app, TunnelArguments& tunnel)
     add("--dt", "LIST", "Steps [1/60,1/240,1/1000]");
     add("--target", "LIST", "plate, sphere, wall (a plane with one side, as those of a box) [all]");
     add("--methods", "LIST",
-        "Methods, and collision libraries: fcl_naive, fcl_advancement, libccd_advancement [all that are there]");
+        "Methods, collision libraries (fcl_naive, fcl_advancement, libccd_advancement), and engines of others when "
+        "asked for: bullet, bullet_ccd, bullet_defaults, ode, ode_defaults [methods and libraries]");
     add("--trials", "N", "Throws of each method at each cell [1000]");
     app.add_flag_callback(
         "--bisect", [&tunnel] { tunnel.given["bisect"] = "true"; },
-        "Find the critical speed of each method at plates and spheres, within 1 %");
+        "Find the critical speed of each method at plates and spheres, or of a scene, within 1 %");
     add("--offset", "LIST", "Offsets of spheres with --bisect, in the sum of the radii, below 1 [0,0.5,0.9]");
     add_time_limit(app, tunnel.given);
     add_scene_options(app, tunnel.allow_overlap, tunnel.set);
@@ -42,6 +43,8 @@ void define_tunnel(CLI::App& app, TunnelArguments& tunnel)
         "  carom tunnel --bisect -o out/tunnel               critical speeds beside the law, and a page\n"
         "  carom tunnel --target plate --speed 1:1e3:log4 --thickness 0.02 --radius 0.1 --dt 1/60 --methods event,pbd\n"
         "  carom tunnel bullet --methods velocity,toi        the bullet of a scene at other speeds\n"
+        "  carom tunnel bullet --bisect -o out/bullet        from which speed on it is missed, and throws that show "
+        "it\n"
         "Exit: 0 event hit every time, 4 it did not, 2 usage, 3 bad scene, 5 a limit was reached, 130 interrupted.");
 }
 

@@ -125,7 +125,9 @@ void define_compare(CLI::App& app, CompareArguments& compare)
     app.add_option("scene", compare.scene, "Scene file, or a name of the catalogue (carom scenes)")
         ->required()
         ->type_name("SCENE");
-    add_given(app, compare.given, "--methods", "LIST", "Methods to compare [all]");
+    add_given(
+        app, compare.given, "--methods", "LIST",
+        "Methods to compare, and engines of others: bullet, bullet_ccd, bullet_defaults, ode, ode_defaults [carom's]");
     add_given(app, compare.given, "--dt", "LIST",
               "Steps: a,b,c or start:stop:logN or start:stop:linN [1/60,1/240,1/1000]");
     add_given(app, compare.given, "--substeps", "LIST", "Substeps of a step, every one is run [1]");

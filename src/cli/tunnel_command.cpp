@@ -18,16 +18,33 @@ namespace carom::cli {
 
 namespace {
 
-/// The first throw of each method that tunnelled, as a scene to be run.
+/// "velocity", "velocity-parabola".
+std::string file_of(const tunnel::Row& row)
+{
+    return row.method + (row.integrator == Integrator::parabola ? "-parabola" : "") + ".json";
+}
+
+/// The first throw of each method, by integrator, that tunnelled, as a scene to be run.
 void write_throws(const std::filesystem::path& folder, const tunnel::Report& report, std::vector<std::string>& files)
 {
     std::set<std::string> shown;
     for (const tunnel::Row& row : report.rows) {
-        if (row.tunnelled == 0 || !shown.insert(row.method).second) continue;
-        const std::filesystem::path file = folder / "throws" / (row.method + ".json");
+        if (row.tunnelled == 0 || !shown.insert(file_of(row)).second) continue;
+        const std::filesystem::path file = folder / "throws" / file_of(row);
         write_file(file, io::throw_scene_json(row));
         files.push_back(file.string());
     }
+}
+
+/// Scenes that the cells of a scene's page open, by row; none where no throw failed. Those of the matrix the page
+/// makes.
+std::vector<std::string> example_scenes(const tunnel::Report& report)
+{
+    std::vector<std::string> scenes;
+    if (report.scene.empty()) return scenes;
+    for (const tunnel::Row& row : report.rows)
+        scenes.push_back(row.tunnelled + row.wrong > 0 ? io::throw_scene_json(row) : "");
+    return scenes;
 }
 
 std::vector<std::string> write_files(const std::filesystem::path& folder, const tunnel::Report& report,
@@ -41,8 +58,8 @@ std::vector<std::string> write_files(const std::filesystem::path& folder, const 
     write("tunnel.csv", io::tunnel_csv(report));
     if (!report.criticals.empty()) write("critical.csv", io::critical_csv(report));
     write("tunnel.json", json);
-    write("report.html", comparison_page(report::tunnel_page_data(report, page_generator())));
-    if (report.scene.empty()) write_throws(folder, report, files);
+    write("report.html", comparison_page(report::tunnel_page_data(report, page_generator(), example_scenes(report))));
+    write_throws(folder, report, files);
     return files;
 }
 
@@ -57,19 +74,28 @@ int do_tunnel(const TunnelArguments& args, const GlobalArguments& global, const 
         file = find_scene(args.scene, scene_folder());
         scene = session.read(file, args.allow_overlap, args.set);
     }
-    const TunnelSettings settings = tunnel_settings(args, global, scene, file.string());
+    const TunnelSettings settings =
+        tunnel_settings(args, global, scene, file.string(), [&] { return session.watch.keep_going(); });
     session.watch.limit(settings.max_seconds);
 
     tunnel::Report report;
     report.seed = settings.matrix.seed;
     report.absent = settings.absent;
+    for (const tunnel::Contestant& who : settings.contestants)
+        if (!who.settings.empty()) report.engines.push_back({who.method, who.settings});
     const OnProgress on_progress = session.on_progress();
-    if (file.empty())
-        tunnel::run_matrix(settings.matrix, settings.contestants, report, on_progress);
-    else
-        tunnel::run_scene(scene, settings.matrix, settings.contestants, report, on_progress);
-    if (settings.bisect && !report.interrupted)
-        tunnel::find_criticals(settings.matrix, settings.contestants, report, on_progress);
+    try {
+        if (file.empty())
+            tunnel::run_matrix(settings.matrix, settings.contestants, report, on_progress);
+        else
+            tunnel::run_scene(scene, settings.matrix, settings.contestants, report, on_progress);
+        if (settings.bisect && !report.interrupted && file.empty())
+            tunnel::find_criticals(settings.matrix, settings.contestants, report, on_progress);
+        else if (settings.bisect && !report.interrupted)
+            tunnel::find_scene_criticals(scene, settings.matrix, settings.contestants, report, on_progress);
+    } catch (const Stopped&) {  // while an engine's program was awaited
+        report.interrupted = true;
+    }
     session.progress.clear();
 
     const io::CommandFacts facts = session.watch.facts();

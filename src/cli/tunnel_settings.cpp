@@ -1,7 +1,9 @@
 #include "cli/tunnel_settings.hpp"
 
 #include "cli/exit_codes.hpp"
+#include "cli/peer_rows.hpp"
 #include "core/names.hpp"
+#include "peers/peers.hpp"
 #include "tunnel/peers.hpp"
 #include "tunnel/scene_throws.hpp"
 
@@ -61,17 +63,39 @@ void add_peer(const tunnel::Peers& peers, const std::string& name, bool has_scen
     }
     for (const tunnel::Contestant& who : peers.contestants)
         if (who.method == name) settings.contestants.push_back(who);
-    const std::vector<tunnel::Target>& targets = settings.matrix.targets;
-    if (std::find(targets.begin(), targets.end(), tunnel::Target::wall) != targets.end())
-        settings.absent.push_back({name + " at walls", peers.no_walls});
 }
 
-void add_methods(const Choices& choices, const Scene& scene, bool has_scene, TunnelSettings& settings)
+/// Searches for critical speeds leave walls out: an option that asks for them says so, or is refused.
+void note_walls(TunnelSettings& settings)
 {
-    std::vector<std::string> known = method_names();
-    const std::vector<tunnel::Peers> peers = all_peers();
-    for (const tunnel::Peers& each : peers) known.insert(known.end(), each.names.begin(), each.names.end());
-    const std::vector<std::string> wanted = choices.words("methods", known, known, "method");
+    const std::vector<tunnel::Target>& targets = settings.matrix.targets;
+    const auto walls = std::count(targets.begin(), targets.end(), tunnel::Target::wall);
+    if (walls == 0) return;
+    if (walls == static_cast<std::ptrdiff_t>(targets.size()))
+        throw UsageError(
+            "--bisect: nothing is behind a wall, so that no speed is critical (add plate or sphere to "
+            "--target, or leave --bisect out)");
+    settings.absent.push_back({"critical speeds at walls", "nothing is behind one"});
+}
+
+void add_engine(const std::string& name, const std::function<bool()>& keep_going, TunnelSettings& settings)
+{
+    if (const auto program = peers::program_of(name))
+        settings.contestants.push_back(peers::peer_contestant(name, *program, keep_going));
+    else
+        settings.absent.push_back({name, peers::how_to_get(name)});
+}
+
+void add_methods(const Choices& choices, const Scene& scene, const std::string& file,
+                 const std::function<bool()>& keep_going, TunnelSettings& settings)
+{
+    const bool has_scene = !file.empty();
+    std::vector<std::string> usual = method_names();
+    const std::vector<tunnel::Peers> libraries = all_peers();
+    for (const tunnel::Peers& each : libraries) usual.insert(usual.end(), each.names.begin(), each.names.end());
+    std::vector<std::string> known = usual;  // engines are slow, so that they come when they are called
+    known.insert(known.end(), peers::peer_names().begin(), peers::peer_names().end());
+    const std::vector<std::string> wanted = choices.words("methods", usual, known, "method");
     for (const std::string& method : method_names()) {
         if (!contains(wanted, method)) continue;
         if (has_scene && method == method_names().front()) {
@@ -87,7 +111,12 @@ void add_methods(const Choices& choices, const Scene& scene, bool has_scene, Tun
         }
     }
     if (has_scene && !choices.has("methods")) return;  // nobody asked for libraries
-    for (const tunnel::Peers& each : peers)
+    for (const std::string& name : peers::peer_names()) {
+        if (!contains(wanted, name)) continue;
+        expect_peers_know(scene, file);
+        add_engine(name, keep_going, settings);
+    }
+    for (const tunnel::Peers& each : libraries)
         for (const std::string& name : each.names)
             if (contains(wanted, name)) add_peer(each, name, has_scene, settings);
 }
@@ -95,14 +124,14 @@ void add_methods(const Choices& choices, const Scene& scene, bool has_scene, Tun
 }  // namespace
 
 TunnelSettings tunnel_settings(const TunnelArguments& args, const GlobalArguments& global, const Scene& scene,
-                               const std::string& file)
+                               const std::string& file, const std::function<bool()>& keep_going)
 {
     const bool has_scene = !file.empty();
     const Choices choices(args.given, scene.tunnel, file + ": /tunnel");
     choices.expect_known(
         {"speed", "thickness", "radius", "dt", "target", "offset", "methods", "trials", "bisect", "max_seconds"});
     if (has_scene)
-        for (const char* option : {"thickness", "radius", "target", "offset", "bisect"})
+        for (const char* option : {"thickness", "radius", "target", "offset"})
             if (args.given.contains(option))
                 throw UsageError(
                     fmt::format("--{}: the scene gives the bodies (leave the option out, or the scene)", option));
@@ -115,9 +144,10 @@ TunnelSettings tunnel_settings(const TunnelArguments& args, const GlobalArgument
     TunnelSettings settings;
     settings.matrix = matrix_of(choices);
     settings.matrix.seed = global.seed.value_or(scene.seed);
-    settings.bisect = choices.flag("bisect") && !has_scene;
+    settings.bisect = choices.flag("bisect");
+    if (settings.bisect && choices.has("target")) note_walls(settings);
     settings.max_seconds = choices.number("max_seconds", settings.max_seconds);
-    add_methods(choices, scene, has_scene, settings);
+    add_methods(choices, scene, file, keep_going, settings);
     return settings;
 }
 

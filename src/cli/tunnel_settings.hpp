@@ -5,6 +5,7 @@
 #include "cli/choices.hpp"
 #include "tunnel/study.hpp"
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct TunnelSettings {
 };
 
 /// \param file of the scene, for messages; empty: no scene was given, `scene` is a default one
+/// \param keep_going asked while an engine's program runs; must outlive the settings
 /// \throws UsageError; InputError for what the scene says
 TunnelSettings tunnel_settings(const TunnelArguments& args, const GlobalArguments& global, const Scene& scene,
-                               const std::string& file);
+                               const std::string& file, const std::function<bool()>& keep_going);
 
 }  // namespace carom::cli

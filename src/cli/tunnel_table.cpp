@@ -67,22 +67,39 @@ std::string summed_up(const tunnel::Report& report)
 struct Span {
     double low = INFINITY, high = 0;
     std::size_t searches = 0, never = 0;
+    bool is_below = false;      ///< some tunnel at every speed looked at
     std::optional<double> law;  ///< [chords a step]
     double worst = 0;           ///< largest distance from the law, part of it
 };
+
+using End = tunnel::CriticalSpeed::End;
+
+/// Distance of a speed that was found from the law, part of it.
+std::optional<double> off_the_law(const tunnel::Critical& critical)
+{
+    if (critical.speed.end != End::found || !critical.law) return {};
+    return std::abs(critical.speed.speed / *critical.law - 1);
+}
+
+std::string speed_text(const tunnel::CriticalSpeed& critical)
+{
+    if (critical.end == End::never) return "never";
+    return (critical.end == End::below ? "below " : "") + study::three_digits(critical.speed);
+}
 
 void add(Span& span, const tunnel::Critical& critical)
 {
     const double unit = tunnel::chord_of(critical.cell, critical.offset) / critical.cell.dt;
     ++span.searches;
     if (critical.law) span.law = *critical.law / unit;
-    if (!critical.speed) {
+    if (critical.speed.end == End::never) {
         ++span.never;
         return;
     }
-    span.low = std::min(span.low, *critical.speed / unit);
-    span.high = std::max(span.high, *critical.speed / unit);
-    if (critical.law) span.worst = std::max(span.worst, std::abs(*critical.speed / *critical.law - 1));
+    span.is_below = span.is_below || critical.speed.end == End::below;
+    span.low = std::min(span.low, critical.speed.speed / unit);
+    span.high = std::max(span.high, critical.speed.speed / unit);
+    span.worst = std::max(span.worst, off_the_law(critical).value_or(0));
 }
 
 std::string law_text(const std::optional<double>& law)
@@ -93,19 +110,22 @@ std::string law_text(const std::optional<double>& law)
 
 std::string span_text(const Span& span)
 {
-    const std::string low = study::three_digits(span.low), high = study::three_digits(span.high);
+    const std::string low = (span.is_below ? "below " : "") + study::three_digits(span.low);
+    const std::string high = study::three_digits(span.high);
+    if (span.is_below && span.low == span.high) return low;
     return low == high ? low : low + " to " + high;
 }
 
 std::string each_critical(const tunnel::Report& report)
 {
     Lines lines{{"method", "target", "offset", "dt", "radius", "thickness", "critical speed", "law", "off by"}};
-    for (const tunnel::Critical& each : report.criticals)
-        lines.push_back(
-            {name_of_row(each.method, each.variant, each.integrator), word(each.cell.target),
-             study::three_digits(each.offset), study::step_text(each.cell.dt), study::three_digits(each.cell.radius),
-             figure(each.cell.thickness), each.speed ? study::three_digits(*each.speed) : "never", law_text(each.law),
-             each.speed && each.law ? fmt::format("{:.2g} %", std::abs(*each.speed / *each.law - 1) * per_cent) : "-"});
+    for (const tunnel::Critical& each : report.criticals) {
+        const std::optional<double> off = off_the_law(each);
+        lines.push_back({name_of_row(each.method, each.variant, each.integrator), word(each.cell.target),
+                         study::three_digits(each.offset), study::step_text(each.cell.dt),
+                         study::three_digits(each.cell.radius), figure(each.cell.thickness), speed_text(each.speed),
+                         law_text(each.law), off ? fmt::format("{:.2g} %", *off * per_cent) : "-"});
+    }
     return "\n" + aligned(lines, 2) +
            "\ncritical speed: the lowest that tunnels, found within 1 %; law: "
            "(radius + thickness/2)/dt and its like (docs/tunnel.md).\n";

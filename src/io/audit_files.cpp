@@ -3,7 +3,6 @@
 #include "audit/minimal_scene.hpp"
 #include "core/names.hpp"
 #include "io/scene_json.hpp"
-#include "io/vector_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -57,18 +56,7 @@ std::string finding_file(const audit::Finding& finding)
 std::string finding_scene_json(const Scene& scene, const audit::Finding& finding)
 {
     const Scene small = audit::minimal_scene(scene, finding);
-    Json json = Json::parse(scene_json_without_spheres(small));
-    json["spheres"] = Json::array();
-    for (const Sphere& sphere : small.spheres) {
-        Json& entry = json["spheres"].emplace_back(
-            Json{{"id", sphere.id},
-                 {"radius", sphere.radius},
-                 {"mass", sphere.mass},
-                 {"position", vector_json(sphere.position)},
-                 {"velocity", vector_json(sphere.velocity)},
-                 {"material", small.materials[static_cast<std::size_t>(sphere.material)].name}});
-        if (sphere.fixed) entry["fixed"] = true;
-    }
+    Json json = Json::parse(scene_json(small));
     json["checks"] = Json::array();
     for (const Check& check : small.checks) json["checks"].push_back(check_json(small, check));
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -86,6 +74,7 @@ std::string audit_json(const Scene& scene, const std::string& trace, const audit
     json["body_intervals"] = {{"all", audit.bodies.all},
                               {"decided", audit.bodies.decided},
                               {"without_flight", audit.bodies.without_flight},
+                              {"straight", audit.bodies.straight},
                               {"coarse", audit.bodies.coarse},
                               {"several", audit.bodies.several}};
     json["touches"] = {{"all", audit.touches.all},

@@ -109,6 +109,23 @@ std::string scene_json_without_spheres(const Scene& scene)
     return json.dump(1, ' ', false, replace);
 }
 
+std::string scene_json(const Scene& scene)
+{
+    Json json = Json::parse(scene_json_without_spheres(scene));
+    json["spheres"] = Json::array();
+    for (const Sphere& sphere : scene.spheres) {
+        Json& entry = json["spheres"].emplace_back(
+            Json{{"id", sphere.id},
+                 {"radius", sphere.radius},
+                 {"mass", sphere.mass},
+                 {"position", vector_json(sphere.position)},
+                 {"velocity", vector_json(sphere.velocity)},
+                 {"material", scene.materials[static_cast<std::size_t>(sphere.material)].name}});
+        if (sphere.fixed) entry["fixed"] = true;
+    }
+    return json.dump(-1, ' ', false, replace);
+}
+
 std::string strings_json(const std::vector<std::string>& strings)
 {
     return Json(strings).dump(-1, ' ', false, replace);

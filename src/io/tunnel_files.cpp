@@ -1,6 +1,7 @@
 #include "io/tunnel_files.hpp"
 
 #include "io/numbers.hpp"
+#include "io/scene_json.hpp"
 #include "study/tolerances.hpp"
 #include "study/words.hpp"
 #include "tunnel/columns.hpp"
@@ -46,11 +47,6 @@ Json objects(const Columns& columns, const Lines& lines)
     return all;
 }
 
-Json vector_json(const Vec3& v)
-{
-    return Json::array({v.x(), v.y(), v.z()});
-}
-
 }  // namespace
 
 std::string tunnel_csv(const tunnel::Report& report)
@@ -75,6 +71,9 @@ std::string tunnel_json(const tunnel::Report& report, const CommandFacts& comman
     json["absent"] = Json::array();
     for (const tunnel::Absence& each : report.absent)
         json["absent"].push_back({{"name", each.name}, {"reason", each.reason}});
+    json["engines"] = Json::array();
+    for (const tunnel::EngineSettings& each : report.engines)
+        json["engines"].push_back({{"name", each.name}, {"settings", each.words}});
     json["rows"] = objects(tunnel::row_columns, report.rows);
     json["critical"] = objects(tunnel::critical_columns, report.criticals);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -82,33 +81,22 @@ std::string tunnel_json(const tunnel::Report& report, const CommandFacts& comman
 
 std::string throw_scene_json(const tunnel::Row& row)
 {
-    const tunnel::Throw t = tunnel::CellThrows(row.cell).at(row.example);
+    tunnel::Throw t = tunnel::example_of(row);
     const std::string target(name_of(row.cell.target, tunnel::target_names));
-    Json json = {{"format", "carom-scene/1"},
-                 {"name", row.method + " at a " + target},
-                 {"description", "A throw of carom tunnel: the contact is at t = " + number_text(t.contact_time) +
-                                     ", in the first of three steps of " + study::step_text(row.cell.dt) + "."},
-                 {"end_time", t.scene.end_time}};
-    json["spheres"] = Json::array();
-    for (const Sphere& sphere : t.scene.spheres) {
-        Json& entry = json["spheres"].emplace_back(
-            Json{{"id", sphere.id}, {"radius", sphere.radius}, {"position", vector_json(sphere.position)}});
-        if (sphere.fixed)
-            entry["fixed"] = true;
-        else
-            entry["velocity"] = vector_json(sphere.velocity);
-    }
-    for (const Plane& plane : t.scene.planes) {
-        Json entry{{"id", plane.id}, {"normal", vector_json(plane.normal)}, {"offset", plane.offset}};
-        if (plane.thickness) entry["thickness"] = *plane.thickness;
-        json["planes"].push_back(entry);
-    }
+    t.scene.name = row.method + " at a " + target;
+    t.scene.description = "A throw of carom tunnel: the contact is at t = " + number_text(t.contact_time) +
+                          ", in the first of three steps of " + study::step_text(row.cell.dt) + ".";
+    t.scene.end_time = study::longest_case * row.cell.dt;
+    Json json = Json::parse(scene_json(t.scene));
     const std::vector<std::string>& known = method_names();
     if (std::find(known.begin(), known.end(), row.method) != known.end()) {
         json["run"] = {{"method", row.method}};
-        if (row.integrator) json["run"]["dt"] = row.cell.dt;
-        json["compare"] = {{"dt", Json::array({row.cell.dt})}};
+        if (row.integrator) {
+            json["run"]["dt"] = row.cell.dt;
+            json["run"]["integrator"] = name(*row.integrator);
+        }
     }
+    json["compare"] = {{"dt", Json::array({row.cell.dt})}};
     return json.dump(2) + "\n";
 }
 

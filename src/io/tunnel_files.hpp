@@ -17,8 +17,7 @@ std::string critical_csv(const tunnel::Report& report);
 std::string tunnel_json(const tunnel::Report& report, const CommandFacts& command = {});
 
 /// The example of a row as a scene (carom-scene/1) that ends after three steps, with the row's method and step as
-/// defaults of `run`. \pre the row is of the matrix, and its method one of carom's or a library's, for which no default
-/// is written
+/// defaults of `run`; for a library or a peer none is written. \pre the row has a throw
 std::string throw_scene_json(const tunnel::Row& row);
 
 }  // namespace carom::io

@@ -32,7 +32,8 @@ Json table(const Columns& columns, const Lines& lines)
 
 }  // namespace
 
-std::string tunnel_page_data(const tunnel::Report& report, const std::string& generator)
+std::string tunnel_page_data(const tunnel::Report& report, const std::string& generator,
+                             const std::vector<std::string>& scenes)
 {
     Json json = {{"format", "carom-tunnel-page/1"},
                  {"generator", generator},
@@ -47,6 +48,7 @@ std::string tunnel_page_data(const tunnel::Report& report, const std::string& ge
     json["rows"] = table(tunnel::row_columns, report.rows);
     json["critical_columns"] = names_of(tunnel::critical_columns);
     json["critical"] = table(tunnel::critical_columns, report.criticals);
+    json["scenes"] = scenes;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

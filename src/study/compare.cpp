@@ -3,8 +3,10 @@
 #include "study/clock.hpp"
 #include "study/fit_orders.hpp"
 #include "study/measure_row.hpp"
+#include "study/peer_row.hpp"
 #include "study/search/step_search.hpp"
 #include "study/tolerances.hpp"
+#include "study/words.hpp"
 
 #include <carom/study.hpp>
 
@@ -74,6 +76,23 @@ void measure_rows(const study::RowMeasurer& measurer, const std::vector<study::R
     }
 }
 
+/// The rows of engines that are none of carom's, at each step.
+void measure_peers(const study::RowMeasurer& measurer, Comparison& result)
+{
+    const CompareOptions& options = measurer.options;
+    Patience& patience = measurer.patience;
+    patience.begin("other engines", static_cast<double>(options.peers.size() * options.dt.size()), "rows");
+    double done = 0;
+    for (const Peer& peer : options.peers)
+        for (const double dt : options.dt) {
+            patience.name(peer.name + " dt " + study::step_text(dt));
+            if (!patience.lasts(done++)) return;
+            std::optional<CompareRow> row = study::measure_peer(measurer, peer, dt);
+            if (!row) return;
+            result.rows.push_back(std::move(*row));
+        }
+}
+
 /// The largest step of each method that keeps within the tolerance; the rows found join the others.
 void search_steps(const study::RowMeasurer& measurer, const std::vector<study::RowPlan>& plans, Comparison& result)
 {
@@ -124,6 +143,7 @@ Comparison compare_methods(const Scene& scene, const CompareOptions& options)
     Patience patience(options.on_progress);
     const study::RowMeasurer measurer{scene, options, compared, auditor, patience};
     measure_rows(measurer, plans, result);
+    if (!result.interrupted) measure_peers(measurer, result);
     if (options.search_steps && !result.interrupted) search_steps(measurer, plans, result);
     result.interrupted = result.interrupted || patience.ended();
     result.convergence = study::fit_orders(scene, result);

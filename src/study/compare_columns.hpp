@@ -26,6 +26,10 @@ inline CompareCell as_cell(const std::string& text)
 {
     return text;
 }
+inline CompareCell as_cell(const std::optional<std::string>& text)
+{
+    return text.value_or("");
+}
 inline CompareCell as_cell(Status status)
 {
     return name(status);
@@ -76,6 +80,13 @@ CompareCell audit_cell(const CompareRow& row)
     return row.audit ? std::optional((*row.audit).*Member) : std::nullopt;
 }
 
+/// A count of impacts; empty for a peer, which shows none.
+template <auto Member>
+CompareCell impacts_cell(const CompareRow& row)
+{
+    return row.peer_settings ? std::nullopt : std::optional(row.*Member);
+}
+
 struct CompareColumn {
     std::string_view name;     ///< key in files
     std::string_view heading;  ///< on the terminal; empty: not shown there
@@ -85,7 +96,7 @@ struct CompareColumn {
 };
 
 /// In the order of compare.csv. Names are stable: files and pages of others read them.
-inline constexpr std::array<CompareColumn, 39> compare_columns{{
+inline constexpr std::array<CompareColumn, 40> compare_columns{{
     {"method", "method", ColumnUnit::none, "How the scene was simulated. \"event\" is exact in time and takes no step.",
      cell_of<&CompareRow::method>},
     {"dt", "dt", ColumnUnit::time, "Length of a time step; none for the event-driven method.",
@@ -137,11 +148,11 @@ inline constexpr std::array<CompareColumn, 39> compare_columns{{
     {"missed_impacts", "run missed", ColumnUnit::none,
      "Impacts of the reference that the method did not find within 3 steps: those that came early or late, and those "
      "that never came. Counted up to the divergence.",
-     cell_of<&CompareRow::missed_impacts>},
+     impacts_cell<&CompareRow::missed_impacts>},
     {"invented_impacts", "run invented", ColumnUnit::none,
      "Impacts of the method that the reference does not have within 3 steps. Counted up to the divergence.",
-     cell_of<&CompareRow::invented_impacts>},
-    {"impacts", "", ColumnUnit::none, "Contacts that got an impulse.", cell_of<&CompareRow::impacts>},
+     impacts_cell<&CompareRow::invented_impacts>},
+    {"impacts", "", ColumnUnit::none, "Contacts that got an impulse.", impacts_cell<&CompareRow::impacts>},
     {"audited", "audited", ColumnUnit::none,
      "Impacts that the method was put to one at a time: begun anew from the exact state at a random phase of the step "
      "before each, it takes two steps. Where there are few, each at several phases. For \"event\": impacts of the "
@@ -186,6 +197,11 @@ inline constexpr std::array<CompareColumn, 39> compare_columns{{
      cell_of<&CompareRow::pair_tests>},
     {"status", "status", ColumnUnit::none, "How the run ended; \"reached_end\" is the good one.",
      cell_of<&CompareRow::status>},
+    {"peer_settings", "", ColumnUnit::none,
+     "Name, version and settings of an engine that is none of carom's. Its impacts are not counted, and its time is "
+     "that "
+     "of its own steps, as it says itself, without reading and writing.",
+     cell_of<&CompareRow::peer_settings>},
 }};
 
 /// A cell as a value of a JSON library; nothing is null.

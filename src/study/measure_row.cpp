@@ -5,9 +5,6 @@
 
 namespace carom::study {
 
-namespace {
-
-/// CPU times of repeated runs, or that of the recorded one where they would take too long.
 void put_times(std::vector<double> times, double recorded_seconds, CompareRow& row)
 {
     row.repeats = static_cast<int>(times.size());
@@ -19,6 +16,8 @@ void put_times(std::vector<double> times, double recorded_seconds, CompareRow& r
     row.cpu_low = time.low;
     row.cpu_high = time.high;
 }
+
+namespace {
 
 /// An event run that stops beyond what is compared says so all the same.
 void tell_how_it_ends(const Truth& whole, double until, CompareRow& row)

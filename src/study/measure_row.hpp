@@ -6,6 +6,8 @@
 #include "study/compared_reference.hpp"
 #include "study/row_plan.hpp"
 
+#include <vector>
+
 namespace carom::study {
 
 /// Things that all rows of a comparison share. Everything outlives the rows.
@@ -20,5 +22,9 @@ struct RowMeasurer {
     /// \param on_time asked with the time that the recorded run has reached [time]; false interrupts
     std::optional<CompareRow> measure(const RowPlan& plan, const std::function<bool(double)>& on_time) const;
 };
+
+/// CPU times of repeated runs, or that of the recorded one where they would take too long.
+/// \param times empty if none was repeated [s]
+void put_times(std::vector<double> times, double recorded_seconds, CompareRow& row);
 
 }  // namespace carom::study

@@ -156,6 +156,26 @@ void add_if_any(std::vector<std::string>& sentences, const std::string& sentence
     if (!sentence.empty()) sentences.push_back(sentence);
 }
 
+/// A sentence for each engine that is none of carom's: what it is, and what its time means.
+std::vector<std::string> peer_sentences(const Comparison& comparison)
+{
+    std::vector<std::string> sentences;
+    std::set<std::string> told;
+    for (const CompareRow& row : comparison.rows)
+        if (!row.peer_settings.value_or("").empty() && told.insert(row.method).second)
+            sentences.push_back(row.method + " is " + *row.peer_settings +
+                                "; its time is that of its own steps, as it says itself, without reading and writing, "
+                                "and its contacts are not seen.");
+    return sentences;
+}
+
+/// Whether the steps of a method were searched for: then its sentence is that of the search.
+bool is_searched(const Comparison& comparison, const std::string& method)
+{
+    return std::any_of(comparison.searches.begin(), comparison.searches.end(),
+                       [&](const StepSearch& search) { return search.method == method; });
+}
+
 std::string chaos_sentence(const VerdictWords& words)
 {
     return "event itself leaves the reference by more than a hundredth of the smallest radius at t = " +
@@ -176,10 +196,11 @@ std::vector<std::string> verdict(const Scene& scene, const Comparison& compariso
     add_if_any(result, own_faults_sentence(words));
     std::set<std::string> seen;
     for (const CompareRow& row : comparison.rows)
-        if (row.dt && comparison.searches.empty() && seen.insert(row.method).second)
+        if (row.dt && !is_searched(comparison, row.method) && seen.insert(row.method).second)
             result.push_back(method_sentence(words, row.method));
     for (const StepSearch& search : comparison.searches) result.push_back(search_sentence(words, search));
     add_if_any(result, convergence_sentence(words));
+    for (const std::string& sentence : peer_sentences(comparison)) result.push_back(sentence);
     if (comparison.interrupted) result.push_back("The comparison was interrupted: the rows are those finished before.");
     return result;
 }

@@ -80,7 +80,7 @@ inline constexpr std::array<Column<Row>, 19> row_columns{{
      [](const Row& r) { return study::as_cell(r.example.offset); }},
 }};
 
-inline constexpr std::array<Column<Critical>, 10> critical_columns{{
+inline constexpr std::array<Column<Critical>, 11> critical_columns{{
     {"method", study::ColumnUnit::none, "Who was thrown with.",
      [](const Critical& c) { return study::as_cell(c.method); }},
     {"dt", study::ColumnUnit::time, "Length of a step.", [](const Critical& c) { return study::as_cell(c.cell.dt); }},
@@ -91,14 +91,22 @@ inline constexpr std::array<Column<Critical>, 10> critical_columns{{
     {"target", study::ColumnUnit::none, "`plate` or `sphere`.", [](const Critical& c) { return target_cell(c.cell); }},
     {"offset", study::ColumnUnit::none, "Offset of the path from a sphere's middle, in radius + sphere's radius.",
      [](const Critical& c) { return study::as_cell(c.offset); }},
-    {"critical_speed", study::ColumnUnit::speed, "Lowest speed that tunnels, within 1 %; none up to v dt = 1e6 chords.",
-     [](const Critical& c) { return study::as_cell(c.speed); }},
+    {"critical_speed", study::ColumnUnit::speed,
+     "Lowest speed that tunnels, within 1 %; with `below` one that tunnels still; none if none does.",
+     [](const Critical& c) {
+         return study::as_cell(c.speed.end == CriticalSpeed::End::never ? std::nullopt : std::optional(c.speed.speed));
+     }},
     {"law", study::ColumnUnit::speed, "By the law; none for methods that never tunnel or have no law.",
      [](const Critical& c) { return study::as_cell(c.law); }},
     {"integrator", study::ColumnUnit::none, "As in tunnel.csv.",
      [](const Critical& c) { return study::as_cell(c.integrator); }},
     {"variant", study::ColumnUnit::none, "As in tunnel.csv.",
      [](const Critical& c) { return study::as_cell(c.variant); }},
+    {"end", study::ColumnUnit::none,
+     "`found`; `below`: it tunnels at every speed looked at, down to that one; `never`: at none, up to v dt = 1e6 "
+     "chords, "
+     "or in a scene up to where other contacts come within two steps.",
+     [](const Critical& c) { return study::CompareCell(std::string(name_of(c.speed.end, critical_end_names))); }},
 }};
 
 }  // namespace carom::tunnel

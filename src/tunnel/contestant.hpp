@@ -29,7 +29,7 @@ struct Contestant {
     /// Law of the method: a look in the way of the ball within so many chords (the way from the contact to the middle
     /// of the target) sees it. None: no law is known; infinite: it never misses.
     std::optional<double> chords_seen;
-    bool knows_walls = true;  ///< false: it is put to plates and spheres alone
+    std::string settings;  ///< of an engine that is none of carom's, in words; empty for others
     /// Moves the body of a throw by so many steps of dt, three at least.
     std::function<Flown(const Throw&, double dt, std::int64_t steps)> fly;
 };

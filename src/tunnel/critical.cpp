@@ -5,7 +5,6 @@
 #include "tunnel/tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace carom::tunnel {
 
@@ -16,7 +15,7 @@ bool some_tunnel(const Contestant& who, const Cell& cell, double offset)
 {
     CellThrows throws(cell);
     for (std::size_t k = 0; k < searched_phases; ++k) {  // contacts soon after the begin are those that are missed
-        const double phase = (static_cast<double>(k) + 0.5) / static_cast<double>(searched_phases);
+        const double phase = searched_phase(k);
         if (judge(who, throws.at({phase, offset}), cell.dt).fate == Fate::tunnelled) return true;
     }
     return false;
@@ -24,25 +23,12 @@ bool some_tunnel(const Contestant& who, const Cell& cell, double offset)
 
 }  // namespace
 
-std::optional<double> find_critical(const Contestant& who, Cell cell, double offset)
+CriticalSpeed find_critical(const Contestant& who, Cell cell, double offset)
 {
-    const double unit = chord_of(cell, offset) / cell.dt;
-    const auto tunnels = [&](double speed) {
+    return search_critical(chord_of(cell, offset) / cell.dt, [&](double speed) -> std::optional<bool> {
         cell.speed = speed;
         return some_tunnel(who, cell, offset);
-    };
-    double below = 0, above = search_begin * unit;
-    while (!tunnels(above)) {
-        below = above;
-        above *= search_stride;
-        if (above > search_end * unit) return {};
-    }
-    if (below == 0) return above;
-    while (above > search_bracket * below) {
-        const double middle = std::sqrt(below * above);
-        (tunnels(middle) ? above : below) = middle;
-    }
-    return std::sqrt(below * above);
+    });
 }
 
 void find_criticals(const Matrix& matrix, const std::vector<Contestant>& contestants, Report& report,

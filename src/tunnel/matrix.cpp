@@ -58,7 +58,6 @@ void run_matrix(const Matrix& matrix, const std::vector<Contestant>& contestants
         patience.name(who.method);
         for (const Cell& cell : cells) {
             if (!patience.lasts(static_cast<double>(done++))) break;
-            if (cell.target == Target::wall && !who.knows_walls) continue;
             CellThrows throws(cell);
             Tally tally(who, cell);
             for (const Aim& aim : aims_of(matrix, cell)) {
@@ -71,6 +70,11 @@ void run_matrix(const Matrix& matrix, const std::vector<Contestant>& contestants
         }
     }
     report.interrupted = report.interrupted || patience.ended();
+}
+
+Throw example_of(const Row& row)
+{
+    return row.example_throw ? *row.example_throw : CellThrows(row.cell).at(row.example);
 }
 
 bool Report::exact_hold() const

@@ -11,7 +11,6 @@ struct Peers {
     std::vector<std::string> names;       ///< of methods, whether they are there or not
     std::vector<Contestant> contestants;  ///< one for each name and variant, or none
     std::string absent;                   ///< why there are none; empty if there are
-    std::string no_walls{};               ///< why they are not put to walls
 };
 
 /// `fcl_naive`, `fcl_advancement`: fcl::continuousCollide with the solvers and motions that work.

@@ -61,7 +61,10 @@ void run_scene(const Scene& scene, const Matrix& matrix, const std::vector<Conte
                 count(who, throws, cell, matrix, tally, patience);
                 const std::optional<double> seen = throws.seen_of_a_step(dt);
                 if (seen && who.chords_seen) tally.row.law = std::max(0.0, 1 - *who.chords_seen * *seen);
-                if (!patience.ended()) report.rows.push_back(std::move(tally.row));
+                if (patience.ended()) break;
+                if (tally.row.trials > 0 && throws.place(tally.row.example.phase, dt))
+                    tally.row.example_throw = throws.current();
+                report.rows.push_back(std::move(tally.row));
             }
     }
     report.interrupted = report.interrupted || patience.ended();

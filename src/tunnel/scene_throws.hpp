@@ -21,6 +21,7 @@ public:
     /// faster.
     bool has_contact() const { return contact_ < truth_.contacts.size(); }
     const std::string& thrown() const { return scene_.spheres[static_cast<std::size_t>(body_)].id; }
+    double speed() const { return speed_; }  ///< of the body [length/time]
     /// \pre has_contact(); so below
     Cell cell(double dt) const;
     /// Part of the way of a step in which the body can be seen: from the contact on to the middle of a plate, or to
@@ -51,5 +52,10 @@ bool some_body_moves(const Scene& scene);
 /// \pre some_body_moves(scene)
 void run_scene(const Scene& scene, const Matrix& matrix, const std::vector<Contestant>& contestants, Report& report,
                const OnProgress& on_progress);
+
+/// Critical speeds of every contestant at each step: the body is as in run_scene, its speed is what is looked for. What
+/// is behind a wall nobody asks. \pre some_body_moves(scene)
+void find_scene_criticals(const Scene& scene, const Matrix& matrix, const std::vector<Contestant>& contestants,
+                          Report& report, const OnProgress& on_progress);
 
 }  // namespace carom::tunnel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tunnel/contestant.hpp"
+#include "tunnel/critical_speed.hpp"
 #include "tunnel/tolerances.hpp"
 
 #include <carom/progress.hpp>
@@ -37,16 +38,22 @@ struct Row {
     std::optional<double> worst_error;  ///< of throws that did not tunnel; none if all did [length]
     std::optional<double> law;          ///< share missed by the law; none for methods without one
     Aim example;  ///< the first throw that tunnelled, else the first that was wrong, else the first
+    std::optional<Throw> example_throw;  ///< of a scene; those of the matrix follow from cell and aim
 };
 
 /// A critical speed as it was found.
 struct Critical {
     std::string method, variant;
     std::optional<Integrator> integrator;
-    Cell cell;                    ///< with that speed
-    double offset = 0;            ///< of a sphere target [radius + sphere's radius]
-    std::optional<double> speed;  ///< the lowest that tunnels; none up to v dt = 1e6 chords [length/time]
-    std::optional<double> law;    ///< infinite for methods that never tunnel; none without a law [length/time]
+    Cell cell;          ///< with that speed
+    double offset = 0;  ///< of a sphere target [radius + sphere's radius]
+    CriticalSpeed speed;
+    std::optional<double> law;  ///< infinite for methods that never tunnel; none without a law [length/time]
+};
+
+/// An engine that is none of carom's, and what was set.
+struct EngineSettings {
+    std::string name, words;
 };
 
 /// A contestant that could not be there, and why.
@@ -60,7 +67,8 @@ struct Report {
     std::vector<Row> rows;
     std::vector<Critical> criticals;
     std::vector<Absence> absent;
-    bool interrupted = false;  ///< rows and critical speeds are those finished before
+    std::vector<EngineSettings> engines;  ///< among the contestants
+    bool interrupted = false;             ///< rows and critical speeds are those finished before
 
     /// Whether every exact method hit in every throw.
     bool exact_hold() const;
@@ -74,11 +82,15 @@ std::vector<Cell> cells_of(const Matrix& matrix);
 void run_matrix(const Matrix& matrix, const std::vector<Contestant>& contestants, Report& report,
                 const OnProgress& on_progress);
 
+/// The throw that shows a row.
+Throw example_of(const Row& row);
+
 /// Critical speeds of every contestant at plates and spheres, within 1 %.
 void find_criticals(const Matrix& matrix, const std::vector<Contestant>& contestants, Report& report,
                     const OnProgress& on_progress);
 
-/// The lowest speed at which one of 200 phases tunnels; none up to v dt = 1e6 chords. \param cell without its speed
-std::optional<double> find_critical(const Contestant& who, Cell cell, double offset);
+/// The lowest speed at which one of 200 phases tunnels, looked for from v dt = 1e-6 to 1e6 chords. \param cell without
+/// its speed
+CriticalSpeed find_critical(const Contestant& who, Cell cell, double offset);
 
 }  // namespace carom::tunnel

@@ -17,12 +17,10 @@ bool has_both_integrators(const Report& report)
                        [](const Row& row) { return row.integrator == Integrator::parabola; });
 }
 
-std::string name_in(const Report& report, const Row& row)
+std::string who_in(const Report& report, const Row& row)
 {
-    std::string name = row.method;
-    if (has_both_integrators(report) && row.integrator) name += ", " + std::string(carom::name(*row.integrator));
-    if (!row.variant.empty()) name += ", " + row.variant;
-    return name;
+    if (!has_both_integrators(report) || !row.integrator) return row.method;
+    return row.method + ", " + std::string(carom::name(*row.integrator));
 }
 
 void keep(std::optional<double>& largest, double value)
@@ -56,13 +54,14 @@ std::vector<Summary> summaries(const Report& report)
 {
     std::vector<Summary> all;
     for (const Row& row : report.rows) {
-        const std::string name = name_in(report, row);
+        const std::string who = who_in(report, row), name = who + (row.variant.empty() ? "" : ", " + row.variant);
         auto sum = std::find_if(all.begin(), all.end(), [&](const Summary& each) {
             return each.name == name && each.target == row.cell.target;
         });
         if (sum == all.end()) {
             sum = all.insert(all.end(), Summary{});
             sum->name = name;
+            sum->who = who;
             sum->method = row.method;
             sum->target = row.cell.target;
         }

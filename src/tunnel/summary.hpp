@@ -12,6 +12,7 @@ namespace carom::tunnel {
 
 struct Summary {
     std::string name;  ///< method, integrator where a report has both, variant
+    std::string who;   ///< the same without the variant
     std::string method;
     Target target = Target::plate;
     std::int64_t cells = 0, trials = 0, tunnelled = 0, wrong = 0;

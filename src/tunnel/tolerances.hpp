@@ -23,10 +23,13 @@ inline constexpr std::size_t searched_phases = 200;
 /// Factor [1] between a speed that tunnels and one that does not at which the search ends: with `searched_phases` the
 /// critical speed is then within 1 %.
 inline constexpr double search_bracket = 1.005;
-/// Number v dt / reach [1] at which the search begins: no method that sees contacts tunnels below it.
+/// Number v dt / reach [1] at which the search begins: few methods that see contacts tunnel below it.
 inline constexpr double search_begin = 0.05;
 /// Number v dt / reach [1] up to which it looks: a method that does not tunnel there does not tunnel.
 inline constexpr double search_end = 1e6;
+/// Number v dt / reach [1] down to which it looks where throws tunnel at once: a method that tunnels there does so at
+/// any speed.
+inline constexpr double search_floor = 1e-6;
 /// Factor [1] from speed to speed while it looks for one that tunnels.
 inline constexpr double search_stride = 4;
 

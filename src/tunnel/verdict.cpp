@@ -10,6 +10,7 @@ namespace carom::tunnel {
 namespace {
 
 struct Total {
+    std::string who;  ///< method, and integrator where there are rows of both
     std::string method;
     std::int64_t trials = 0, tunnelled = 0, wrong = 0;
     std::string from;  ///< "plates from v dt = 1.02 reach on"
@@ -19,9 +20,10 @@ std::vector<Total> totals(const Report& report)
 {
     std::vector<Total> all;
     for (const Summary& sum : summaries(report)) {
-        auto total = std::find_if(all.begin(), all.end(), [&](const Total& t) { return t.method == sum.method; });
+        auto total = std::find_if(all.begin(), all.end(), [&](const Total& t) { return t.who == sum.who; });
         if (total == all.end()) {
             total = all.insert(all.end(), Total{});
+            total->who = sum.who;
             total->method = sum.method;
         }
         total->trials += sum.trials;
@@ -72,9 +74,9 @@ std::vector<std::string> on_others(const std::vector<Total>& all)
         const auto same =
             std::find_if(sentences.begin(), sentences.end(), [&](const auto& s) { return s.first == fate; });
         if (same == sentences.end())
-            sentences.emplace_back(fate, total.method);
+            sentences.emplace_back(fate, total.who);
         else
-            same->second += ", " + total.method;
+            same->second += "; " + total.who;
     }
     std::vector<std::string> texts;
     for (const auto& [fate, methods] : sentences) texts.push_back(methods + ": " + fate);
@@ -96,6 +98,7 @@ std::vector<std::string> verdict(const Report& report)
         sentences.push_back(
             "Where methods begin to tunnel is told in v dt / (radius + thickness/2), on which alone the share "
             "depends.");
+    for (const EngineSettings& each : report.engines) sentences.push_back(each.name + " is " + each.words + ".");
     for (const Absence& each : report.absent) sentences.push_back("Absent: " + each.name + ", " + each.reason + ".");
     return sentences;
 }

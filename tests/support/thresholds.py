@@ -39,6 +39,7 @@ ROOMS = {
     "study": STAYS,
     "tunnel": STAYS,
     "audit": STAYS,
+    "peers": STAYS,
     "io": STAYS,
     "report": STAYS,
     "cli": STAYS,

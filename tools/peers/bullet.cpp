@@ -6,6 +6,7 @@
 /// left as it is (a ball that is lifted out of the floor at every bounce gains height), no damping, no sleep, no
 /// friction, the smaller restitution of two bodies (Bullet multiplies them).
 #include "peer.hpp"
+#include "plates.hpp"
 
 #include <btBulletDynamicsCommon.h>
 
@@ -17,10 +18,8 @@ namespace carom::peers {
 namespace {
 
 constexpr int tuned_iterations = 50;
-/// Half the edge of a plate [largest distance of a sphere from the origin, and 1].
-constexpr double plate_reach = 1000;
-/// Half the thickness of a plate without any [radius of the smallest sphere]: boxes need one.
-constexpr double thinnest_plate = 1e-3;
+/// Margin of a box at most, as Bullet has it by default [length].
+constexpr double usual_margin = 0.04;
 
 btVector3 vector(const Vec3& v)
 {
@@ -55,13 +54,8 @@ public:
         }
         if (settings.iterations) info.m_numIterations = *settings.iterations;
         if (settings.reduction) info.m_erp2 = *settings.reduction;
-        double reach = 1, smallest = scene.spheres.empty() ? 1 : scene.spheres.front().radius;
-        for (const Sphere& sphere : scene.spheres) {
-            reach = std::max(reach, sphere.position.norm());
-            smallest = std::min(smallest, sphere.radius);
-        }
         for (const Sphere& sphere : scene.spheres) add(scene, sphere);
-        for (const Plane& plane : scene.planes) add(scene, plane, reach, smallest);
+        for (const Plane& plane : scene.planes) add(scene, plane);
     }
     ~Bullet() override
     {
@@ -116,7 +110,7 @@ private:
         bodies_.back()->setCcdMotionThreshold(sphere.radius);
         bodies_.back()->setCcdSweptSphereRadius(0.9 * sphere.radius);
     }
-    void add(const Scene& scene, const Plane& plane, double reach, double smallest)
+    void add(const Scene& scene, const Plane& plane)
     {
         const double e = restitution_of(scene, plane.material);
         if (!plane.thickness) {
@@ -125,12 +119,11 @@ private:
             bodies_.back()->getCollisionShape()->setMargin(0);
             return;
         }
-        const double half = std::max(*plane.thickness / 2, thinnest_plate * smallest), edge = plate_reach * reach;
-        auto box = std::make_unique<btBoxShape>(btVector3(edge, edge, half));
+        const PlateBox plate = plate_box(scene, plane);
+        auto box = std::make_unique<btBoxShape>(btVector3(plate.edge, plate.edge, plate.half));
         // The margin lies inside the box and must be thinner than it.
-        box->setMargin(std::min(half / 2, 0.04));
-        const btTransform at(shortestArcQuat(btVector3(0, 0, 1), vector(plane.normal)),
-                             vector(Vec3(plane.offset * plane.normal)));
+        box->setMargin(std::min(plate.half / 2, usual_margin));
+        const btTransform at(shortestArcQuat(btVector3(0, 0, 1), vector(plane.normal)), vector(plate.middle));
         add_body(0, std::move(box), at, e);
     }
 

@@ -32,14 +32,11 @@ constexpr std::array<Setting, 4> settings{{{"translation, libccd", Path::transla
                                            {"linear, libccd", Path::linear, fcl::GST_LIBCCD},
                                            {"linear, indep", Path::linear, fcl::GST_INDEP}}};
 
-/// Width of the box that stands for a plate [ball's radius and half of the thickness]: throws hit its middle.
-constexpr double plate_width = 100;
-
 std::shared_ptr<fcl::CollisionGeometryd> geometry(const PeerScene& scene)
 {
     if (scene.target == Target::sphere) return std::make_shared<fcl::Sphered>(scene.thickness / 2);
-    const double width = plate_width * (scene.radius + scene.thickness / 2);
-    return std::make_shared<fcl::Boxd>(scene.thickness, width, width);  // its normal is x, as that of every throw
+    // Its normal is x, as that of every throw.
+    return std::make_shared<fcl::Boxd>(scene.thickness, plate_edge(scene), plate_edge(scene));
 }
 
 /// Motion of a body that does not turn. (Shared, for the library's own delete frees what another new has made.)
@@ -54,10 +51,10 @@ std::shared_ptr<fcl::MotionBased> motion(Path path, const Vec3& from, const Vec3
 
 Flown fly(const Throw& t, double dt, std::int64_t steps, const fcl::ContinuousCollisionRequestd& request, Path path)
 {
-    const PeerScene scene = peer_scene(t);
+    const PeerScene scene = peer_scene(t, dt);
     const fcl::Sphered ball(scene.radius);
     const std::shared_ptr<fcl::CollisionGeometryd> target = geometry(scene);
-    const std::shared_ptr<fcl::MotionBased> still = motion(path, Vec3::Zero(), Vec3::Zero());
+    const std::shared_ptr<fcl::MotionBased> still = motion(path, scene.middle, scene.middle);
     const auto query = [&](const Vec3& from, const Vec3& velocity, double length) -> std::optional<double> {
         const std::shared_ptr<fcl::MotionBased> moving = motion(path, from, from + length * velocity);
         fcl::ContinuousCollisionResultd result;
@@ -79,7 +76,6 @@ void add(Peers& peers, const char* name, fcl::CCDSolverType solver, std::optiona
         who.method = name;
         who.variant = setting.variant;
         who.chords_seen = chords;
-        who.knows_walls = false;
         who.fly = [request, path = setting.path](const Throw& t, double dt, std::int64_t steps) {
             return fly(t, dt, steps, request, path);
         };
@@ -95,7 +91,6 @@ Peers fcl_peers()
     // the middle: two chords for each of nine parts of a step.
     constexpr double parts = 9;
     Peers peers;
-    peers.no_walls = "FCL's half-spaces crash";
     add(peers, "fcl_naive", fcl::CCDC_NAIVE, 2 * parts);
     add(peers, "fcl_advancement", fcl::CCDC_CONSERVATIVE_ADVANCEMENT, std::numeric_limits<double>::infinity());
     return peers;

@@ -24,8 +24,6 @@ constexpr double closed = 1e-9;
 constexpr double mpr_tolerance = 1e-9;
 /// Iterations of MPR at most: balls and boxes take some twenty.
 constexpr int mpr_iterations = 1000;
-/// Width of the box that stands for a plate [ball's radius and half of the thickness].
-constexpr double plate_width = 100;
 
 struct Ball {
     Vec3 centre = Vec3::Zero();
@@ -105,12 +103,11 @@ std::optional<double> first_contact(Ball ball, const Vec3& velocity, double leng
 
 Flown fly(const Throw& t, double dt, std::int64_t steps)
 {
-    const PeerScene scene = peer_scene(t);
-    const double width = plate_width * (scene.radius + scene.thickness / 2) / 2;
-    const Box box{{scene.thickness / 2, width, width}};
+    const PeerScene scene = peer_scene(t, dt);
+    const Box box{{scene.thickness / 2, plate_edge(scene) / 2, plate_edge(scene) / 2}};
     const Ball still{Vec3::Zero(), scene.thickness / 2};
     return fly_in_steps(t, dt, steps, scene, [&](const Vec3& from, const Vec3& velocity, double length) {
-        const Ball ball{from, scene.radius};
+        const Ball ball{from - scene.middle, scene.radius};
         return scene.target == Target::sphere ? first_contact(ball, velocity, length, still)
                                               : first_contact(ball, velocity, length, box);
     });
@@ -124,9 +121,8 @@ Peers libccd_peers()
     who.method = "libccd_advancement";
     who.variant = "MPR";
     who.chords_seen = std::numeric_limits<double>::infinity();
-    who.knows_walls = false;
     who.fly = fly;
-    return {{who.method}, {who}, "", "libccd knows bounded bodies only"};
+    return {{who.method}, {who}, ""};
 }
 
 }  // namespace carom::tunnel

@@ -5,6 +5,7 @@
 /// and a cradle gains energy), CFM 0, no threshold on bounces, no friction, no damping, no sleep. By default ERP is 0.2
 /// and CFM 1e-10.
 #include "peer.hpp"
+#include "plates.hpp"
 
 #include <ode/ode.h>
 
@@ -18,10 +19,6 @@ namespace {
 
 /// Contacts of two geometries: a sphere has one with anything convex.
 constexpr int most_contacts = 4;
-/// Half the edge of a plate [largest distance of a sphere from the origin, and 1].
-constexpr double plate_reach = 1000;
-/// Half the thickness of a plate without any [radius of the smallest sphere]: boxes need one.
-constexpr double thinnest_plate = 1e-3;
 
 class Ode final : public Engine {
 public:
@@ -38,13 +35,8 @@ public:
         }
         if (settings.reduction) dWorldSetERP(world_, *settings.reduction);
         if (settings.iterations) dWorldSetQuickStepNumIterations(world_, *settings.iterations);
-        double reach = 1, smallest = scene.spheres.empty() ? 1 : scene.spheres.front().radius;
-        for (const Sphere& sphere : scene.spheres) {
-            reach = std::max(reach, sphere.position.norm());
-            smallest = std::min(smallest, sphere.radius);
-        }
         for (const Sphere& sphere : scene.spheres) add(sphere);
-        for (const Plane& plane : scene.planes) add(plane, reach, smallest);
+        for (const Plane& plane : scene.planes) add(plane);
     }
     ~Ode() override
     {
@@ -100,19 +92,18 @@ private:
         keep(geom, sphere.material);
         spheres_.push_back(geom);
     }
-    void add(const Plane& plane, double reach, double smallest)
+    void add(const Plane& plane)
     {
         if (!plane.thickness) {
             keep(dCreatePlane(space_, plane.normal[0], plane.normal[1], plane.normal[2], plane.offset), plane.material);
             return;
         }
-        const double half = std::max(*plane.thickness / 2, thinnest_plate * smallest), edge = plate_reach * reach;
-        const dGeomID box = dCreateBox(space_, 2 * edge, 2 * edge, 2 * half);
+        const PlateBox plate = plate_box(scene_, plane);
+        const dGeomID box = dCreateBox(space_, 2 * plate.edge, 2 * plate.edge, 2 * plate.half);
         dMatrix3 rotation;
         dRFromZAxis(rotation, plane.normal[0], plane.normal[1], plane.normal[2]);
         dGeomSetRotation(box, rotation);
-        const Vec3 middle = plane.offset * plane.normal;
-        dGeomSetPosition(box, middle[0], middle[1], middle[2]);
+        dGeomSetPosition(box, plate.middle[0], plate.middle[1], plate.middle[2]);
         keep(box, plane.material);
     }
     void keep(dGeomID geom, int material)

@@ -1,6 +1,8 @@
 /// \file
 /// Runs a scene with another engine and prints its frames: PEER SCENE [options] > trace.csv
 #include "peer.hpp"
+#include "serve.hpp"
+#include "stepped_run.hpp"
 
 #include "io/frames_csv.hpp"
 
@@ -17,6 +19,12 @@
 
 namespace carom::peers {
 
+void expect_no_drag(const Scene& scene)
+{
+    if (scene.drag > 0)
+        throw std::invalid_argument("/drag: the engines beside have no linear drag as carom means it (leave it out)");
+}
+
 double restitution_of(const Scene& scene, int material)
 {
     return scene.materials[static_cast<std::size_t>(material)].restitution;
@@ -26,8 +34,9 @@ namespace {
 
 constexpr const char* usage =
     "usage: PEER SCENE [--dt H] [--frames FPS] [--until T] [--defaults] [--ccd] [--iterations N] [--reduction P]\n"
+    "       PEER --serve [--defaults] [--ccd] [--iterations N] [--reduction P]\n"
     "SCENE is a file or a name of the catalogue; H may be a fraction, 1/240. The trace goes to stdout, what was set\n"
-    "and how long it took to stderr.\n";
+    "and how long it took to stderr. --serve answers requests for runs on stdin, one after the other.\n";
 
 struct Arguments {
     std::string scene;
@@ -50,7 +59,7 @@ Arguments parsed(int argc, char** argv)
     Arguments arguments;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--defaults" || word == "--ccd")
+        if (word == "--defaults" || word == "--ccd" || word == "--serve")
             arguments.values[word] = "";
         else if (word.starts_with("--") && i + 1 < argc)
             arguments.values[word] = argv[++i];
@@ -61,9 +70,10 @@ Arguments parsed(int argc, char** argv)
     }
     for (const auto& [name, value] : arguments.values)
         if (name != "--dt" && name != "--frames" && name != "--until" && name != "--defaults" && name != "--ccd" &&
-            name != "--iterations" && name != "--reduction")
+            name != "--iterations" && name != "--reduction" && name != "--serve")
             throw std::invalid_argument(name + ": unknown option");
-    if (arguments.scene.empty()) throw std::invalid_argument("no scene");
+    if (arguments.scene.empty() != arguments.has("--serve"))
+        throw std::invalid_argument("a scene is wanted, or --serve");
     return arguments;
 }
 
@@ -76,27 +86,22 @@ int steps_a_frame(double rate, double dt)
     return static_cast<int>(whole);
 }
 
-std::vector<BodyState> states_of(const Engine& engine, std::size_t spheres)
+Settings settings_of(const Arguments& arguments)
 {
-    std::vector<BodyState> states(spheres);
-    for (std::size_t i = 0; i < spheres; ++i) {
-        states[i].position = engine.place(i);
-        states[i].velocity = engine.velocity(i);
-    }
-    return states;
-}
-
-void run(const Arguments& arguments)
-{
-    const Scene scene = read_scene(find_scene(arguments.scene, CAROM_SCENE_DIR));
-    if (scene.drag > 0)
-        throw std::invalid_argument("/drag: the engines beside have no linear drag as carom means it (leave it out)");
     Settings settings;
     settings.dt = arguments.number("--dt", settings.dt);
     settings.defaults = arguments.has("--defaults");
     settings.ccd = arguments.has("--ccd");
     if (arguments.has("--iterations")) settings.iterations = static_cast<int>(arguments.number("--iterations", 0));
     if (arguments.has("--reduction")) settings.reduction = arguments.number("--reduction", 0);
+    return settings;
+}
+
+void run(const Arguments& arguments)
+{
+    const Scene scene = read_scene(find_scene(arguments.scene, CAROM_SCENE_DIR));
+    expect_no_drag(scene);
+    const Settings settings = settings_of(arguments);
     const int every = steps_a_frame(arguments.number("--frames", 1 / settings.dt), settings.dt);
     const double until = arguments.number("--until", scene.end_time);
     const auto steps = static_cast<long long>(std::floor(until / settings.dt * (1 + 1e-12)));
@@ -130,7 +135,11 @@ int main(int argc, char** argv)
 {
     for (std::ostream* stream : {&std::cout, &std::cerr}) stream->precision(std::numeric_limits<double>::max_digits10);
     try {
-        carom::peers::run(carom::peers::parsed(argc, argv));
+        const carom::peers::Arguments arguments = carom::peers::parsed(argc, argv);
+        if (arguments.has("--serve"))
+            carom::peers::serve(carom::peers::settings_of(arguments));
+        else
+            carom::peers::run(arguments);
         return 0;
     } catch (const std::invalid_argument& error) {
         std::cerr << error.what() << '\n' << carom::peers::usage;

@@ -30,6 +30,9 @@ public:
     virtual std::string words() const = 0;
 };
 
+/// \throws std::invalid_argument for a scene with drag, which none of the engines has as carom means it
+void expect_no_drag(const Scene& scene);
+
 /// Made by each engine's own file.
 std::unique_ptr<Engine> make_engine(const Scene& scene, const Settings& settings);
 

@@ -14,22 +14,38 @@ namespace carom::tunnel {
 struct PeerScene {
     double radius = 0;  ///< of the ball [length]
     Target target = Target::plate;
-    double thickness = 0;         ///< [length]
-    Vec3 normal = Vec3::UnitX();  ///< of a plate; its middle is at the origin
+    double thickness = 0;         ///< of a plate or of the box behind a wall, diameter of a sphere [length]
+    Vec3 normal = Vec3::UnitX();  ///< of a plate or a wall
+    Vec3 middle = Vec3::Zero();   ///< of the target: the origin, but for the box behind a wall [length]
 };
 
-/// \pre the throw is of a cell: ball first, then a sphere or a plate at the origin
-inline PeerScene peer_scene(const Throw& t)
+/// Width of the box that stands for a plate [ball's radius and half of the thickness]: throws hit its middle.
+inline constexpr double plate_width = 100;
+
+/// Edge of that box along the plate [length].
+inline double plate_edge(const PeerScene& scene)
+{
+    const double thickness = scene.target == Target::wall ? 0 : scene.thickness;
+    return plate_width * (scene.radius + thickness / 2);
+}
+
+/// \pre the throw is of a cell: ball first, then a sphere, a plate or a wall at the origin
+inline PeerScene peer_scene(const Throw& t, double dt)
 {
     const double radius = t.scene.spheres[0].radius;
     if (t.scene.spheres.size() > 1) return {radius, Target::sphere, 2 * t.scene.spheres[1].radius, Vec3::UnitX()};
-    return {radius, Target::plate, t.scene.planes[0].thickness.value_or(0), t.scene.planes[0].normal};
+    const Plane& plane = t.scene.planes[0];
+    if (plane.thickness) return {radius, Target::plate, *plane.thickness, plane.normal};
+    // So deep that a ball which begins a step outside does not come out at its end.
+    const double depth = t.scene.spheres[0].velocity.norm() * dt + 2 * radius;
+    return {radius, Target::wall, depth, plane.normal, -depth / 2 * plane.normal};
 }
 
 /// Direction from the target to a centre [1].
 inline Vec3 outward(const PeerScene& scene, const Vec3& centre)
 {
     if (scene.target == Target::sphere) return centre.normalized();
+    if (scene.target == Target::wall) return scene.normal;
     return scene.normal.dot(centre) < 0 ? Vec3(-scene.normal) : scene.normal;
 }
 

@@ -160,7 +160,7 @@ function compare(scene) {
       velocity_rms: root(mean(swift.flat().map((d) => d * d))), energy_error: Math.max(...drift.map(Math.abs)), max_penetration: Math.max(...depths), overlap_left: 0,
       missed_impacts: lost.length, invented_impacts: row.invented, impacts: row.impacts,
       audited: null, found: null, late: null, missed: null, wrong: null, invented: null, crowded: null, absorbed: null, rest_jitter: row.jitter ?? null,
-      divergence_time: divergence < 0 ? null : times[divergence], reference_bound: scene.bound, steps: row.steps, root_solves: row.roots, pair_tests: row.pairs, status: "reached_end",
+      divergence_time: divergence < 0 ? null : times[divergence], reference_bound: scene.bound, steps: row.steps, root_solves: row.roots, pair_tests: row.pairs, status: "reached_end", peer_settings: "",
       mistimed_impacts: Math.min(lost.length, row.invented), reference_impacts: total, time: scene.until,
     });
     series.push({ row: index, time: times, energy_error: drift, penetration: depths, position_max: worst });

@@ -245,6 +245,7 @@ test("the scene of a throw touches its target where the phase says", () => {
     assert.equal(scene.planes?.[0].thickness, target === "plate" ? 0.02 : undefined);
   }
   assert.equal(throwScene({ ...row, target: "plate", method: "fcl_naive", variant: "linear, indep" }).run, undefined);
+  assert.equal(throwScene({ ...row, target: "plate", method: "ode", integrator: "" }).run, undefined);
 });
 
 test("the built page is one file", { skip: !existsSync(process.env.CAROM_PAGE ?? "") }, () => {

@@ -6,6 +6,7 @@
 
 #include <carom/scene.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -25,6 +26,18 @@ inline Vec3 place_at(const Path& path, const Vec3& gravity, double time)
         if (each.time <= time) leg = &each;
     const double s = time - leg->time;
     return leg->place + s * leg->velocity + (s * s / 2) * gravity;
+}
+
+/// The same under linear drag k > 0: x = x0 + v s + g (t - s) / k and v exp(-k t) + g s, s = (1 - exp(-k t)) / k, also
+/// before the first leg.
+inline Leg damped_at(const Path& path, const Vec3& gravity, double k, double time)
+{
+    const Leg* leg = &path.front();
+    for (const Leg& each : path)
+        if (each.time <= time) leg = &each;
+    const long double t = static_cast<long double>(time) - leg->time, s = -std::expm1(-k * t) / k;
+    return {time, leg->place + static_cast<double>(s) * leg->velocity + static_cast<double>((t - s) / k) * gravity,
+            static_cast<double>(1 - k * s) * leg->velocity + static_cast<double>(s) * gravity};
 }
 
 /// Goes on from the last leg at `time` with another velocity.

@@ -1,7 +1,6 @@
 #include "audit/minimal_scene.hpp"
-#include "paths.hpp"
+#include "drop.hpp"
 #include "support/random.hpp"
-#include "support/scenes.hpp"
 
 #include <carom/checks.hpp>
 
@@ -14,27 +13,6 @@ using namespace carom::test;
 using audit::FindingKind;
 
 namespace {
-
-constexpr double rate = 240;
-
-/// A ball of radius 0.1 that falls 1 m onto the floor: it touches at sqrt(2/g) with speed sqrt(2 g).
-struct Drop {
-    Scene scene = empty_scene(1, earth);
-    double touch = std::sqrt(2 / 9.81), speed = std::sqrt(2 * 9.81);
-    Path path{{0, {0, 0, 1.1}, Vec3::Zero()}};
-
-    Drop()
-    {
-        add_floor(scene);
-        add_sphere(scene, 0.1, {0, 0, 1.1});
-    }
-    void bounce_at(double time) { turn(path, earth, time, {0, 0, speed - 9.81 * (time - touch)}); }
-    audit::TraceAudit audited(const std::vector<double>& times = equal_times(rate, 0.8)) const
-    {
-        Frames frames = frames_of({path}, earth, times);
-        return audit::audit_trace(scene, frames);
-    }
-};
 
 /// Two spheres of radius 0.5 that meet at t = 1, at x = -0.5 and 0.5, with speeds 1.
 struct Meeting {

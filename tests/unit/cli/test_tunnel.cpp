@@ -139,6 +139,38 @@ TEST_CASE("tunnel SCENE throws the scene's fastest body; its section tunnel give
     CHECK_THAT(asked.out, Contains("Absent: event, its run is the truth of a scene"));
 }
 
+TEST_CASE("tunnel SCENE --bisect finds critical speeds, and -o writes throws of that scene that run as thrown", "[cli]")
+{
+    const Folder folder;
+    std::ofstream(folder / "bullet.json") << R"({"format": "carom-scene/1", "name": "Shot", "end_time": 1,
+ "gravity": [0, 0, -1e-3],
+ "spheres": [{"id": "bullet", "radius": 0.1, "position": [-5, 0, 0], "velocity": [10, 0, 0]}],
+ "planes": [{"id": "plate", "normal": [1, 0, 0], "offset": 0, "thickness": 0.02}]})";
+    const Said said = carom_tool({"tunnel", folder / "bullet.json", "--methods", "velocity", "--bisect", "--speed",
+                                  "500", "--dt", "1/60", "--trials", "50", "--json", "-o", folder / "out"});
+    REQUIRE(said.code == exit_ok);
+    const json result = json::parse(said.out);
+    REQUIRE(result["critical"].size() == 2);
+    for (const json& critical : result["critical"]) {
+        CHECK(critical["end"] == "found");
+        CHECK(critical["critical_speed"] == Approx(0.11 * 60).epsilon(0.02));
+    }
+    for (const char* file : {"out/throws/velocity.json", "out/throws/velocity-parabola.json"}) {
+        CAPTURE(file);
+        const json scene = json::parse(folder.read(file));
+        CHECK(scene["gravity"][2] == -1e-3);
+        CHECK(scene["spheres"][0]["id"] == "bullet");
+        const auto impacts = [&](std::vector<std::string> more) {
+            std::vector<std::string> args{"run", folder / file, "--json"};
+            args.insert(args.end(), more.begin(), more.end());
+            return json::parse(carom_tool(args).out)["counts"]["impacts"].get<int>();
+        };
+        CHECK(impacts({}) == 0);
+        CHECK(impacts({"--method", "event"}) == 1);
+    }
+    CHECK_THAT(folder.read("out/report.html"), Contains("A throw of carom tunnel: the contact is at"));
+}
+
 TEST_CASE("tunnel says what is wrong, where, and what would be right", "[cli]")
 {
     const Folder folder;
@@ -158,6 +190,7 @@ TEST_CASE("tunnel says what is wrong, where, and what would be right", "[cli]")
     refused({"tunnel", "--bisect", "--offset", "1"}, exit_usage, "--offset: 1 is no hit");
     refused({"tunnel", "--set", "/gravity=[0,0,0]"}, exit_usage, "--set: there is no scene to change");
     refused({"tunnel", "bullet", "--radius", "1"}, exit_usage, "--radius: the scene gives the bodies");
+    refused({"tunnel", "--bisect", "--target", "wall"}, exit_usage, "--bisect: nothing is behind a wall");
     refused({"tunnel", "no_such_scene"}, exit_bad_input, "no_such_scene");
     std::ofstream(folder / "still.json") << R"({"format": "carom-scene/1", "end_time": 1,
  "spheres": [{"id": "ball", "radius": 0.1, "position": [0, 0, 1]}]})";
@@ -166,6 +199,22 @@ TEST_CASE("tunnel says what is wrong, where, and what would be right", "[cli]")
         << R"({"format": "carom-scene/1", "end_time": 1, "tunnel": {"methods": ["pdb"]},
  "spheres": [{"id": "ball", "radius": 0.1, "position": [0, 0, 1], "velocity": [1, 0, 0]}]})";
     refused({"tunnel", folder / "wrong.json"}, exit_bad_input, "/tunnel/methods: unknown method \"pdb\"");
+}
+
+TEST_CASE("collision libraries are thrown at walls as at plates, and miss none; libccd finds the time", "[cli]")
+{
+    const Said said =
+        carom_tool({"tunnel", "--target", "wall", "--radius", "0.1", "--dt", "1/60", "--speed", "1,31.6,1e4",
+                    "--methods", "fcl_naive,fcl_advancement,libccd_advancement", "--trials", "50", "--json"});
+    REQUIRE(said.code == exit_ok);
+    const json result = json::parse(said.out);
+    CHECK(result["rows"].size() + result["absent"].size() > 0);
+    for (const json& row : result["rows"]) {
+        CAPTURE(row["method"], row["variant"], row["speed"]);
+        CHECK(row["tunnelled"] == 0);
+        CHECK(row["wrong"] == 0);
+        if (row["method"] == "libccd_advancement") CHECK(row["worst_error"] < 1e-8);
+    }
 }
 
 TEST_CASE("tunnel stops at its time limit with whole files", "[cli]")

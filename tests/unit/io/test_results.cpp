@@ -220,9 +220,9 @@ TEST_CASE("compare.csv has exactly the contract's header and empty fields for wh
           "rms,energy_error,max_penetration,overlap_left,missed_impacts,invented_impacts,impacts,audited,found,late,"
           "missed,"
           "wrong,invented,crowded,absorbed,rest_jitter,divergence_time,reference_bound,steps,root_solves,pair_tests,"
-          "status\n"
-          "event,,,,,,,,,,1e-05,1e-05,1e-05,,3e-15,,,,,0,0,0,0,0,,,,,,,,,,,0,0,0,0,reached_end\n"
-          "pbd,0.1,2,1,deepest,parabola,,,,,0,0,0,,,,,,,,0,7,0,0,10,4,3,2,1,5,6,,,,0,0,0,0,unresolved\n");
+          "status,peer_settings\n"
+          "event,,,,,,,,,,1e-05,1e-05,1e-05,,3e-15,,,,,0,0,0,0,0,,,,,,,,,,,0,0,0,0,reached_end,\n"
+          "pbd,0.1,2,1,deepest,parabola,,,,,0,0,0,,,,,,,,0,7,0,0,10,4,3,2,1,5,6,,,,0,0,0,0,unresolved,\n");
 }
 
 TEST_CASE("compare.json has the CSV's keys in each row, the reference and the verdict", "[results]")

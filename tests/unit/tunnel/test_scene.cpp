@@ -1,8 +1,12 @@
 #include "support/scenes.hpp"
+#include "tunnel/judge.hpp"
 #include "tunnel/scene_throws.hpp"
+#include "tunnel/summary.hpp"
 #include "unit/tunnel/binomial.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
 
 using namespace carom;
 using namespace carom::test;
@@ -123,4 +127,74 @@ TEST_CASE("a scene in which nothing moves has no speed to scale", "[tunnel]")
     add_sphere(scene, 0.1, {0, 0, 2});
     CHECK_FALSE(some_body_moves(scene));
     CHECK(some_body_moves(ball()));
+}
+
+TEST_CASE("critical speeds of a scene are those of the law at a plate, a slanted one, and a fixed sphere", "[tunnel]")
+{
+    Matrix matrix;
+    matrix.dt = {0.01};
+    const auto found = [&](const Scene& scene, const char* method) {
+        Report report;
+        find_scene_criticals(scene, matrix, {contestant(method)}, report, {});
+        REQUIRE(report.criticals.size() == 1);
+        CHECK(report.criticals[0].law.value_or(0) > 0);
+        return report.criticals[0];
+    };
+    Scene plate = ball(), slanted = ball(), sphere = ball();
+    add_plane(plate, "plate", {1, 0, 0}, 5);
+    plate.planes[0].thickness = 0.02;
+    add_plane(slanted, "slanted", {0.6, 0.8, 0}, 3);
+    slanted.planes[0].thickness = 0.02;
+    add_sphere(sphere, 0.01, {5, 0, 0.06});
+    sphere.spheres[2].fixed = true;
+    CHECK(found(plate, "velocity").speed.speed == Approx(11).epsilon(0.02));
+    CHECK(found(plate, "velocity").law.value() == Approx(11));
+    CHECK(found(slanted, "velocity").speed.speed == Approx(11 / 0.6).epsilon(0.02));
+    CHECK(found(slanted, "velocity").law.value() == Approx(11 / 0.6));
+    CHECK(found(sphere, "velocity").speed.speed == Approx(100 * std::sqrt(0.0121 - 0.0036)).epsilon(0.02));
+    CHECK(found(plate, "toi").speed.end == CriticalSpeed::End::never);
+}
+
+TEST_CASE("at a wall of a scene nothing is critical, and that is said", "[tunnel]")
+{
+    Scene scene = ball();
+    add_plane(scene, "box+x", {-1, 0, 0}, -5);
+    Report report;
+    find_scene_criticals(scene, asked({1}), {contestant("velocity")}, report, {});
+    CHECK(report.criticals.empty());
+    REQUIRE(report.absent.size() == 1);
+    CHECK(report.absent[0].reason == "\"s0\" meets a wall first: nothing is behind it");
+}
+
+TEST_CASE("the throw that shows a row of a scene begins a part of a step before the contact, and is missed again",
+          "[tunnel]")
+{
+    Scene scene = ball();
+    add_plane(scene, "plate", {1, 0, 0}, 5);
+    scene.planes[0].thickness = 0.02;
+    const Row row = thrown(scene, asked({300}), "velocity").rows.at(0);
+    REQUIRE(row.tunnelled > 0);
+    const Throw t = example_of(row);
+    CHECK(t.scene.spheres[0].position.x() == Approx(5 - 0.11 - row.example.phase * 3).epsilon(1e-12));
+    CHECK(judge(contestant("velocity"), t, 0.01).fate == Fate::tunnelled);
+    CHECK(judge(contestant("toi"), t, 0.01).fate == Fate::hit);
+}
+
+TEST_CASE("the verdict on a scene with gravity tells both integrators by themselves", "[tunnel]")
+{
+    Scene scene = empty_scene(5, earth);
+    add_sphere(scene, 0.1, {0, 0, 2}, {0, 0, -1});
+    add_plane(scene, "floor", {0, 0, 1});
+    scene.planes[0].thickness = 0.02;
+    StepOptions parabola;
+    parabola.integrator = Integrator::parabola;
+    Report report;
+    run_scene(scene, asked({3, 100}), {contestant("toi"), contestant("toi", parabola)}, report, {});
+    int euler = 0, exact = 0;
+    for (const std::string& sentence : verdict(report)) {
+        euler += sentence.starts_with("toi, euler: ");
+        exact += sentence.starts_with("toi, parabola: none of the throws tunnelled, none were answered late");
+    }
+    CHECK(euler == 1);
+    CHECK(exact == 1);
 }

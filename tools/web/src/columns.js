@@ -46,6 +46,7 @@ export const COLUMNS = [
   { key: "root_solves", title: "root solves", kind: "count", unit: none, text: "Contact times computed by solving for a root: work that does not depend on the machine." },
   { key: "pair_tests", title: "pair tests", kind: "count", unit: none, text: "Pairs of bodies examined: work that does not depend on the machine." },
   { key: "status", title: "status", kind: "text", unit: none, text: "How the run ended; “reached_end” is the good one." },
+  { key: "peer_settings", title: "other engine", kind: "text", unit: none, text: "Name, version and settings of an engine that is none of carom’s. Its impacts are not counted, and its time is that of its own steps, as it says itself, without reading and writing." },
 ];
 
 /** What the table has in place of `missed_impacts`: its two parts (see rows.js). */

@@ -42,7 +42,7 @@ export function throwScene(row) {
   const scene = { format: "carom-scene/1", name: `${row.method} at a ${target}`, end_time: 3 * dt, spheres: [ball] };
   if (target === "sphere") scene.spheres.push({ id: target, radius: thickness / 2, position: [0, 0, 0], fixed: true });
   else scene.planes = [{ id: target, normal: [-1, 0, 0], offset: 0, ...(target === "plate" ? { thickness } : {}) }];
-  const isCaroms = row.variant === "";
+  const isCaroms = row.variant === "" && (row.method === "event" || Boolean(row.integrator)); // no default for libraries and engines of others
   if (isCaroms) scene.run = { method: row.method, ...(row.integrator ? { dt, integrator: row.integrator } : {}) };
   if (isCaroms) scene.compare = { dt: [dt] };
   return scene;

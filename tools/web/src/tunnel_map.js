@@ -15,13 +15,13 @@ function fileOf(row) {
   return `${row.method}-${row.target}-v${row.speed}.json`;
 }
 
-function opened(row, isMatrix) {
+function opened(row) {
   const facts = `${lineName(row)} at speed ${formatNumber(row.speed)}: ${percent(row.tunnelled, row.trials)} of ${formatNumber(row.trials)} throws tunnelled` +
     `${isNumber(row.law) ? ` (the law says ${percent(row.law * row.trials, row.trials)})` : ""}, ${percent(row.wrong, row.trials)} were answered late or with another velocity` +
     `${isNumber(row.worst_error) ? `; those that did not tunnel were off by up to ${formatNumber(row.worst_error)}` : ""}. v dt / (radius + thickness/2) = ${formatNumber(row.number)}.`;
-  if (!isMatrix) return [h("p", {}, facts)];
+  if (row.scene === "") return [h("p", {}, facts)];
   const kind = row.tunnelled > 0 ? "a throw that tunnelled" : row.wrong > 0 ? "a throw that was answered wrongly" : "a throw";
-  const save = h("button", { type: "button", class: "save", onclick: () => download(fileOf(row), `${JSON.stringify(throwScene(row), null, 2)}\n`, "application/json") }, `Scene of ${kind}`);
+  const save = h("button", { type: "button", class: "save", onclick: () => download(fileOf(row), row.scene ?? `${JSON.stringify(throwScene(row), null, 2)}\n`, "application/json") }, `Scene of ${kind}`);
   return [h("p", {}, facts), h("p", {}, save, " then ", h("code", {}, `carom run ${fileOf(row)}`), " shows it, and ", h("code", {}, `carom compare ${fileOf(row)}`), " every method beside it.")];
 }
 
@@ -41,7 +41,7 @@ export function mapFigure({ rows, scene }) {
   const cell = (row) => {
     if (!row || !row.trials) return h("td", { class: "none" }, "–");
     const part = row[quantity] / row.trials;
-    const button = h("button", { type: "button", "aria-label": `${lineName(row)}, speed ${formatNumber(row.speed)}: ${percent(row[quantity], row.trials)} ${QUANTITIES[quantity]}`, onclick: () => detail.replaceChildren(...opened(row, !scene)) }, percent(row[quantity], row.trials).replace("below ", "<").replace("above ", ">"));
+    const button = h("button", { type: "button", "aria-label": `${lineName(row)}, speed ${formatNumber(row.speed)}: ${percent(row[quantity], row.trials)} ${QUANTITIES[quantity]}`, onclick: () => detail.replaceChildren(...opened(row)) }, percent(row[quantity], row.trials).replace("below ", "<").replace("above ", ">"));
     const element = h("td", { class: "heat" }, button);
     element.style.setProperty("--heat", `${Math.round(100 * part)}%`);
     return element;
@@ -70,7 +70,7 @@ export function mapFigure({ rows, scene }) {
   build();
   return figure({
     title: "Who goes through, at which speed", className: "full",
-    caption: `Share of throws, random in phase${scene ? "" : " and, at spheres, in offset"}. A cell tells what it stands on${scene ? "" : " and opens the throw that shows it"}.`,
+    caption: `Share of throws, random in phase${scene ? "" : " and, at spheres, in offset"}. A cell tells what it stands on and opens the throw that shows it.`,
     body: [controls, box, detail],
   });
 }

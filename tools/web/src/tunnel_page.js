@@ -43,6 +43,7 @@ function criticalFigure({ critical }) {
 /** The content of the page from its data. */
 export function tunnelPage(data) {
   const rows = objects(data.columns ?? [], data.rows);
+  if (data.scenes?.length) rows.forEach((row, i) => { row.scene = data.scenes[i]; });
   const critical = objects(data.critical_columns ?? [], data.critical);
   const page = { title: data.title ?? "Tunnelling", scene: data.scene ?? "", rows, critical };
   document.title = `${page.title} – carom`;
