@@ -217,7 +217,7 @@ build() {
     [ -n "$folders" ] || die "CMakeLists.txt has no CAROM_CORE_FOLDERS"
     local sources units
     mapfile -t sources < <(cd "$tree/src" && find $folders -name "*.cpp" | sort &&
-        ls io/scene_*.cpp study/{checks,check_scene,repeat_run,run_study,metrics,deepest_overlap,lift_watch}.cpp)
+        ls io/scene_*.cpp study/{checks,check_scene,mirror_image,repeat_run,run_study,metrics,deepest_overlap,lift_watch}.cpp)
     mapfile -t units < <(affected "${sources[@]}")
     echo "${#units[@]} of ${#sources[@]} sources to compile"
     local flags=(-std=c++20 -O0 "${given_flags[@]}" -I"$tree/include" -I"$tree/src" -isystem "$eigen"

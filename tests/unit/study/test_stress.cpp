@@ -12,6 +12,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -91,6 +93,20 @@ TEST_CASE("stress: each case is in words and has a rule", "[stress]")
         CHECK_FALSE(each.words.figure.empty());
         CHECK_FALSE(each.words.step.empty());
         CHECK_FALSE(each.words.causes.empty());
+    }
+}
+
+TEST_CASE("stress: the documentation has a row for each case, waiting ones among the waiting", "[stress]")
+{
+    std::ifstream file(stress_dir.parent_path().parent_path() / "docs" / "stress.md");
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    const std::size_t waiting = text.find("\nWaiting:");
+    REQUIRE(waiting != std::string::npos);
+    for (const Case& each : cases_of(all_trials())) {
+        INFO(each.words.case_name);
+        const std::size_t row = text.find("\n| `" + each.words.case_name + "` |");
+        REQUIRE(row != std::string::npos);
+        CHECK((row < waiting) == each.is_required());
     }
 }
 
