@@ -6,6 +6,7 @@
 
 using namespace carom;
 using namespace carom::test;
+using Catch::Contains;
 
 TEST_CASE("the example of the contract is read with the right values", "[io]")
 {
