@@ -71,7 +71,7 @@ def build(folder):
     made["late_shuttle"] = unfolding.shuttle_scene(
         "Start time 2^40 s, impacts", "A ball goes to and fro between two walls, 12 impacts; the same at 2^40 s.",
         [{"type": "later", "time": 2.0 ** 40, "abs": 0}], {"case": "start_time", "dt": 1 / 240, "exact": 0})
-    made["heap_at_rest"] = piles.heap()
+    made["settle_in_box"] = piles.heap()
     made["packing_pressure"] = piles.packing_pressure()
     for share, name in (("0.70", "packing_70"), ("0.72", "packing_72"), ("0.74", "packing_74")):
         made[name] = piles.packing(share, 1)[1]
