@@ -72,6 +72,7 @@ struct CheckReport {
 /// | position, final_position, final_velocity | distance [length, length/time] | size of the value |
 /// | moved, moved_origin, later | difference of the two runs at the end, see below | 1 |
 /// | reversed | largest distance from the start, in smallest radii | 1 |
+/// | mirrored | largest difference, as of two runs, of a sphere's image from the sphere that is nearest to it | 1 |
 ///
 /// The difference of two runs: the largest of velocities, in largest speeds at the start, and of positions, in smallest
 /// radii; distances within the spacing of doubles at the places that are written are none. It is infinite where an

@@ -83,12 +83,13 @@ enum class CheckType : std::uint8_t {
     moved,         ///< the scene moved by `value` has the same run
     moved_origin,  ///< so has the scene whose origin is moved by `value`
     later,         ///< so has the scene whose clock shows `time` more
-    reversed       ///< run on from the end with all velocities turned round, the scene comes back to its start
+    reversed,      ///< run on from the end with all velocities turned round, the scene comes back to its start
+    mirrored       ///< at the end it is its own image in the plane through 0 across `value`
 };
-inline constexpr std::array<std::string_view, 15> check_type_names{
-    "no_overlap",     "energy",      "final_energy", "momentum", "inside",
-    "event_time",     "event_count", "rest_time",    "position", "final_position",
-    "final_velocity", "moved",       "moved_origin", "later",    "reversed"};
+inline constexpr std::array<std::string_view, 16> check_type_names{
+    "no_overlap",   "energy",    "final_energy", "momentum",       "inside",         "event_time",
+    "event_count",  "rest_time", "position",     "final_position", "final_velocity", "moved",
+    "moved_origin", "later",     "reversed",     "mirrored"};
 
 /// One line of a scene's `checks`: what a correct event run of the scene must show.
 struct Check {
@@ -100,7 +101,8 @@ struct Check {
     EventKind kind = EventKind::impact;            ///< event_count
     double time = 0;            ///< event_time, rest_time, position: since the start of the run; later [time]
     BodyId body = no_body;      ///< rest_time, position, final_position, final_velocity
-    Vec3 value = Vec3::Zero();  ///< positions, moved, moved_origin [length], final_velocity [length/time]
+    Vec3 value = Vec3::Zero();  ///< positions, moved, moved_origin [length], final_velocity [length/time]; mirrored: a
+                                ///< normal, not 0
 };
 
 /// Default options of a command: its long option names with `_` for `-`. Values are kept as the file wrote them.

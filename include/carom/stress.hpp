@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace carom {
 
@@ -24,6 +26,12 @@ enum class Symptom : std::uint8_t {
 inline constexpr std::array<std::string_view, 8> symptom_names{"none",   "stopped", "other_run", "sank",
                                                                "energy", "missed",  "invented",  "late"};
 
+/// A variation of a stress scene: the same file with other values.
+struct StressMember {
+    std::string name;              ///< for people: "e = 0.9"
+    std::vector<std::string> set;  ///< "/pointer=value", as ReadOptions::set
+};
+
 /// A scene's part in `carom stress`. Scenes that name one case make up one row of its table; a method passes if the
 /// figure, the largest error of their checks, is within a limit. Errors count in units of tolerance / exact.
 struct StressPart {
@@ -35,6 +43,9 @@ struct StressPart {
     std::string figure;                     ///< what is measured, in words; likewise
     std::string step;                       ///< how `dt` was chosen, in words; likewise
     std::map<Symptom, std::string> causes;  ///< why methods fail, in words; those of all scenes of the case count
+    std::optional<double> stiffness;        ///< > 0, of `penalty`, which chooses one without it [mass/time^2]
+    std::vector<StressMember> members;      ///< run as well, each as a scene of its own
+    std::string waits_for;  ///< what is not built yet and the case needs; empty: the case is required of `event`
 };
 
 }  // namespace carom

@@ -52,9 +52,10 @@ struct ExplainArguments {
 };
 
 struct StressArguments {
-    GivenOptions given;  ///< methods, max_seconds
-    std::string only;    ///< name of a case; empty: all
-    std::string out;     ///< folder for stress.csv and stress.json; may be empty
+    GivenOptions given;             ///< methods, max_seconds
+    std::vector<std::string> only;  ///< names of cases; empty: all
+    bool list = false;              ///< say what cases there are, and run none
+    std::string out;                ///< folder for files and page; may be empty
 };
 
 struct TunnelArguments {

@@ -195,16 +195,21 @@ void define_explain(CLI::App& app, ExplainArguments& explain)
 
 void define_stress(CLI::App& app, StressArguments& stress)
 {
+    app.add_option("cases", stress.only, "Only these cases [all]")->type_name("CASE...");
     add_given(app, stress.given, "--methods", "LIST", "Methods to put to the test [all]");
-    app.add_option("--case", stress.only, "Only this case [all]")->type_name("NAME");
+    app.add_flag("--list", stress.list, "Say what cases there are, and run none");
     add_time_limit(app, stress.given);
-    app.add_option("-o,--out", stress.out, "Write DIR/stress.csv and DIR/stress.json")->type_name("DIR");
+    app.add_option("-o,--out", stress.out, "Write DIR/stress.csv, DIR/stress.json and the page DIR/report.html")
+        ->type_name("DIR");
     app.footer(
         "Examples:\n"
         "  carom stress\n"
-        "  carom stress --methods event,pbd --case grazing\n"
+        "  carom stress --list\n"
+        "  carom stress grazing zeno --methods event,pbd\n"
         "  carom stress -o out/stress --json\n"
-        "Exit: 0 event passes, 4 it fails a case, 2 usage, 5 a limit was reached, 130 interrupted.");
+        "What cases show, and where their numbers come from: docs/stress.md.\n"
+        "Exit: 0 event passes all that is required, 4 it fails a case, 2 usage, 3 bad scene, 5 a limit was reached,\n"
+        "130 interrupted.");
 }
 
 void define_report(CLI::App& app, ReportArguments& report)

@@ -1,10 +1,11 @@
 #include "cli/tables.hpp"
+#include "report/stress_page.hpp"
 #include "study/words.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace carom::cli {
 
@@ -12,7 +13,7 @@ namespace {
 
 std::string cell(const stress::Result& result)
 {
-    const double figure = result.evidence.figure;
+    const double figure = result.figure();
     return (result.passed() ? "pass " : "FAIL ") + (std::isfinite(figure) ? study::two_digits(figure) : "inf");
 }
 
@@ -20,18 +21,11 @@ std::string explanation(const stress::Case& c)
 {
     std::string text = fmt::format("{} ({})\n  {}\n  figure: {}\n  passed if {}\n  step: {}\n", c.words.title,
                                    c.words.case_name, c.about, c.words.figure, c.rule(), c.words.step);
-    // Methods that fail in the same words share a line.
-    std::vector<std::pair<std::string, std::string>> lines;
-    for (const stress::Result& r : c.results) {
-        if (r.passed()) continue;
-        const auto same =
-            std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.second == r.reason; });
-        if (same == lines.end())
-            lines.emplace_back(r.method, r.reason);
-        else
-            same->first += ", " + r.method;
-    }
-    for (const auto& [methods, reason] : lines) text += fmt::format("  {}: {}\n", methods, reason);
+    if (!c.is_required()) text += fmt::format("  waits for {}: run and shown, not required\n", c.words.waits_for);
+    std::map<std::string, std::string> who;  // fails for a reason
+    for (const stress::Result& r : c.results)
+        if (!r.passed()) who[r.reason] += (who[r.reason].empty() ? "" : ", ") + r.method;
+    for (const auto& [reason, methods] : who) text += fmt::format("  {}: {}\n", methods, reason);
     return text;
 }
 
@@ -40,21 +34,19 @@ std::string explanation(const stress::Case& c)
 std::string stress_table(const stress::Report& report)
 {
     std::vector<std::vector<std::string>> rows{{"case"}};
-    for (const std::string& method : report.methods) rows[0].push_back(method);
+    rows[0].insert(rows[0].end(), report.methods.begin(), report.methods.end());
+    const bool is_list = report.methods.empty();
+    if (is_list) rows[0].insert(rows[0].end(), {"what", "runs"});
     for (const stress::Case& c : report.cases) {
-        std::vector<std::string> row{c.words.case_name};
+        std::vector<std::string> row{c.words.case_name + (c.is_required() ? "" : " (waits)")};
         for (const stress::Result& result : c.results) row.push_back(cell(result));
+        if (is_list) row.insert(row.end(), {c.words.title, std::to_string(c.trials.size())});
         rows.push_back(std::move(row));
     }
-    std::string text = aligned(rows, report.methods.size() + 1) + "\n";
-    for (const stress::Case& c : report.cases) text += explanation(c) + "\n";
-    std::vector<std::string> verdicts;
-    for (std::size_t m = 0; m < report.methods.size(); ++m) {
-        const auto passed = std::count_if(report.cases.begin(), report.cases.end(),
-                                          [&](const stress::Case& c) { return c.results[m].passed(); });
-        verdicts.push_back(fmt::format("{} passes {} of {}", report.methods[m], passed, report.cases.size()));
-    }
-    return text + fmt::format("{}.\n", fmt::join(verdicts, ", "));
+    std::string text = aligned(rows, is_list ? 2 : rows[0].size()) + "\n";
+    for (const stress::Case& c : report.cases) text += is_list ? "" : explanation(c) + "\n";
+    for (const std::string& sentence : report::stress_verdict(report)) text += sentence + "\n";
+    return text;
 }
 
 }  // namespace carom::cli

@@ -47,7 +47,7 @@ std::string tunnel_table(const tunnel::Report& report);
 /// The audit of a trace: what was decided, and the first findings.
 std::string audit_table(const Scene& scene, const audit::TraceAudit& audit);
 
-/// Cases by methods, then each case with its rule and why methods fail it.
+/// Cases by methods, then each case with its rule and why methods fail it; without methods a list of the cases.
 std::string stress_table(const stress::Report& report);
 
 }  // namespace carom::cli

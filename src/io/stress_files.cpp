@@ -14,14 +14,27 @@ using Json = nlohmann::ordered_json;  // dumps numbers that are not finite as nu
 /// Keys of a result, in the order of stress.csv.
 Json result_json(const stress::Result& result)
 {
+    const stress::Finding& worst = result.worst();
     return {{"method", result.method},
             {"passed", result.passed()},
-            {"figure", result.evidence.figure},
+            {"figure", result.figure()},
             {"limit", result.limit},
-            {"symptom", name_of(result.symptom, symptom_names)},
-            {"worst", result.evidence.worst},
+            {"symptom", name_of(worst.symptom, symptom_names)},
+            {"scene", worst.trial},
+            {"worst", worst.evidence.worst},
             {"reason", result.reason},
             {"cpu_seconds", result.seconds}};
+}
+
+Json runs_json(const stress::Result& result)
+{
+    Json runs = Json::array();
+    for (const stress::Finding& each : result.findings)
+        runs.push_back({{"scene", each.trial},
+                        {"figure", each.evidence.figure},
+                        {"symptom", name_of(each.symptom, symptom_names)},
+                        {"worst", each.evidence.worst}});
+    return runs;
 }
 
 std::string field(const Json& value)
@@ -37,7 +50,7 @@ std::string stress_csv(const stress::Report& report)
     std::string text = std::string(stress_csv_header) + "\n";
     for (const stress::Case& each : report.cases)
         for (const stress::Result& result : each.results) {
-            text += each.words.case_name;
+            text += each.words.case_name + "," + csv_field(each.words.waits_for);
             const Json fields = result_json(result);
             for (const Json& value : fields) text += "," + field(value);
             text += "\n";
@@ -49,7 +62,7 @@ std::string stress_json(const stress::Report& report, const CommandFacts& comman
 {
     Json json = {{"format", "carom-stress/1"},
                  {"methods", report.methods},
-                 {"event_passes", report.event_passes()},
+                 {"event_passes", report.exact_hold()},
                  {"interrupted", report.interrupted}};
     put_stopped(json, command);
     put_seconds(json, command);
@@ -62,8 +75,12 @@ std::string stress_json(const stress::Report& report, const CommandFacts& comman
                                                       {"figure", words.figure},
                                                       {"rule", each.rule()},
                                                       {"step", words.step},
+                                                      {"waits_for", words.waits_for},
                                                       {"results", Json::array()}});
-        for (const stress::Result& result : each.results) entry["results"].push_back(result_json(result));
+        for (const stress::Result& result : each.results) {
+            entry["results"].push_back(result_json(result));
+            entry["results"].back()["runs"] = runs_json(result);
+        }
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -9,12 +9,14 @@
 
 namespace carom::io {
 
-inline constexpr const char* stress_csv_header = "case,method,passed,figure,limit,symptom,worst,reason,cpu_seconds";
+inline constexpr const char* stress_csv_header =
+    "case,waits_for,method,passed,figure,limit,symptom,scene,worst,reason,cpu_seconds";
 
-/// Header and a line for each case and method. A figure that is not finite is an empty field.
+/// Header and a line for each case and method; `scene` and `worst` are the run and the check that speak most against
+/// it. A figure that is not finite is an empty field.
 std::string stress_csv(const stress::Report& report);
 
-/// Format carom-stress/1, indented. A figure that is not finite is null.
+/// Format carom-stress/1, indented; with every run of a case. A figure that is not finite is null.
 std::string stress_json(const stress::Report& report, const CommandFacts& command = {});
 
 }  // namespace carom::io

@@ -57,8 +57,8 @@ std::string_view page_template();
 /// Where `page_template` takes its data; it occurs there exactly once.
 inline constexpr std::string_view page_data_marker = "@CAROM_DATA@";
 
-/// One self-contained HTML page that shows `data_json` (valid JSON, format carom-page/1, see above, or
-/// carom-tunnel-page/1, see tunnel_page.hpp). Every '<' of the
+/// One self-contained HTML page that shows `data_json` (valid JSON, format carom-page/1, see above,
+/// carom-tunnel-page/1, see tunnel_page.hpp, or carom-stress-page/1, see stress_page.hpp). Every '<' of the
 /// data is written as the escape \\u003c, so that no "</script>" or "<!--" in a name can end the element that holds
 /// them.
 std::string comparison_page(std::string_view data_json);

@@ -49,6 +49,7 @@ inline constexpr std::array<CheckKeys, check_type_names.size()> check_keys{{
     {CheckType::moved_origin, {CheckKey::value}},
     {CheckType::later, {CheckKey::time}},
     {CheckType::reversed},
+    {CheckType::mirrored, {CheckKey::value}},
 }};
 
 /// \pre type is one of those in the table

@@ -198,6 +198,8 @@ private:
         const std::size_t spheres = scene_.spheres.size(), bodies = spheres + scene_.planes.size();
         rule(!check_keys_of(c.type).has(CheckKey::body) || known(c.body, spheres), place + "/body",
              "must name a sphere of the scene");
+        rule(c.type != CheckType::mirrored || c.value != Vec3::Zero(), place + "/value",
+             "must not be 0, it is a normal");
         rule(!c.between || (known((*c.between)[0], bodies) && known((*c.between)[1], bodies)), place + "/between",
              "must name two bodies of the scene");
     }
@@ -207,6 +209,7 @@ private:
         positive("/stress/dt", s.dt);
         not_negative("/stress/exact", s.exact);
         not_negative("/stress/limit", s.limit);
+        if (s.stiffness) positive("/stress/stiffness", *s.stiffness);
     }
 
     const Scene& scene_;

@@ -27,9 +27,9 @@ public:
         found_.clear();
         system.detector.find_pairs(contacts.paths.target, system.bodies.radius, found_);
     }
-    void change(System&, const PathContacts& contacts, BodyId i, double, const Vec3& old_target)
+    void change(System&, const PathContacts& contacts, BodyId i, double, const Vec3& /*old_target*/)
     {
-        moved_.move(i, old_target, contacts.paths.target[index(i)]);
+        moved_.move(i, contacts.paths.target[index(i)]);
     }
 
     template <class OnPair>

@@ -13,7 +13,8 @@ namespace carom::stepping {
 class MovedSpheres {
 public:
     /// \param radius of each sphere, by id [length]
-    explicit MovedSpheres(const std::vector<double>& radius) : radius_(radius), is_moved_(radius.size()), grid_(radius)
+    explicit MovedSpheres(const std::vector<double>& radius)
+        : radius_(radius), is_moved_(radius.size()), place_(radius.size()), grid_(radius)
     {
     }
 
@@ -25,16 +26,16 @@ public:
         grid_.clear();
     }
 
-    /// \param from where it was according to the detector, or to the last call
-    void move(BodyId i, const Vec3& from, const Vec3& to)
+    void move(BodyId i, const Vec3& to)
     {
         if (is_moved_[index(i)]) {
-            grid_.move(index(i), from, to, radius_[index(i)]);
+            grid_.move(index(i), place_[index(i)], to, radius_[index(i)]);
         } else {
             grid_.insert(index(i), to, radius_[index(i)]);
             is_moved_[index(i)] = 1;
             moved_.push_back(i);
         }
+        place_[index(i)] = to;
     }
 
     /// Calls on_candidate(j) for each sphere that may touch one of this radius at p, for none twice, in no useful
@@ -58,7 +59,8 @@ private:
     std::vector<double> radius_;          ///< [length]
     std::vector<std::uint8_t> is_moved_;  ///< one for each sphere
     std::vector<BodyId> moved_;
-    SphereGrid grid_;  ///< of those that moved
+    std::vector<Vec3> place_;  ///< of those that moved: where the grid has them
+    SphereGrid grid_;          ///< of those that moved
 };
 
 }  // namespace carom::stepping

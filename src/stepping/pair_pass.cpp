@@ -30,14 +30,14 @@ Visit PairPass::pop_late()
     return visit;
 }
 
-void PairPass::look_again(System& system, BodyId i, const Vec3& before, const Visit& now)
+void PairPass::look_again(System& system, BodyId i, const Visit& now)
 {
     const std::vector<Vec3>& position = system.bodies.position;
     if (lists_hold_ && (position[index(i)] - at_begin_[index(i)]).squaredNorm() > margin_ * margin_) {
         give_up_lists(system);
-        if (!list_[index(i)].is_made) moved_.move(i, before, position[index(i)]);
+        if (!list_[index(i)].is_made) moved_.move(i, position[index(i)]);
     } else if (!lists_hold_) {
-        moved_.move(i, before, position[index(i)]);
+        moved_.move(i, position[index(i)]);
     }
     if (lists_hold_) {
         for (const BodyId j : neighbours(system, i)) look_at(system, i, j, now);
@@ -84,7 +84,7 @@ std::span<const BodyId> PairPass::neighbours(const System& system, BodyId i)
 void PairPass::give_up_lists(const System& system)
 {
     lists_hold_ = false;
-    for (const BodyId i : touched_) moved_.move(i, at_begin_[index(i)], system.bodies.position[index(i)]);
+    for (const BodyId i : touched_) moved_.move(i, system.bodies.position[index(i)]);
 }
 
 }  // namespace carom::stepping

@@ -40,8 +40,8 @@ public:
             const Gap gap = sphere_gap(bodies.position[a], bodies.position[b], bodies.radius[a] + bodies.radius[b]);
             const Vec3 before_a = bodies.position[a], before_b = bodies.position[b];
             correct(Contact{gap.value, visit.a, visit.b, gap.normal});
-            if (bodies.position[a] != before_a) look_again(system, visit.a, before_a, visit);
-            if (bodies.position[b] != before_b) look_again(system, visit.b, before_b, visit);
+            if (bodies.position[a] != before_a) look_again(system, visit.a, visit);
+            if (bodies.position[b] != before_b) look_again(system, visit.b, visit);
         }
     }
 
@@ -57,7 +57,7 @@ private:
     void begin(System& system, const std::vector<Contact>& overlapping);
     Visit pop_late();
     /// Pairs of sphere i that overlap now and whose turn is still to come.
-    void look_again(System& system, BodyId i, const Vec3& before, const Visit& now);
+    void look_again(System& system, BodyId i, const Visit& now);
     void look_at(System& system, BodyId i, BodyId j, const Visit& now);
     /// Spheres that may overlap sphere i while none has moved by more than the margin.
     std::span<const BodyId> neighbours(const System& system, BodyId i);

@@ -3,6 +3,7 @@
 #include "core/names.hpp"
 #include "core/text.hpp"
 #include "scene/tolerances.hpp"
+#include "study/mirror_image.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,6 +121,12 @@ public:
             case CheckType::later:
             case CheckType::reversed:
                 repeat(check, sight.repeat);
+                break;
+            case CheckType::mirrored:
+                judge(check, scene_.spheres.empty() ? 0 : study::mirror_difference(scene_, outcome.final, check.value),
+                      1);
+                result_.message = "its image is off by " + to_text(*result_.error, 3);
+                needs_end(false);
                 break;
         }
         return result_;

@@ -167,7 +167,8 @@ inline constexpr double spacing_of_doubles = std::numeric_limits<double>::epsilo
 
 // Stress cases (stress.cpp).
 
-/// Time [s] after which a discrete run of a stress case is given up: those that end take less than a tenth of it.
+/// Time [s] after which a run of a stress case is given up that is discrete, or that waits for what is not built: those
+/// that end take half of it at most.
 inline constexpr double longest_stress_run = 20;
 /// Overlap [smallest radius] that counts as having sunk: half of a sphere is inside another one.
 inline constexpr double sunk = 0.5;

@@ -129,17 +129,17 @@ scene_key() {
 
 # The largest speed at the end is 0.
 check() {
-    swap include/carom/scene.hpp '    reversed ' '    reversed,'
-    edit include/carom/scene.hpp '    reversed,' '    still' after
+    swap include/carom/scene.hpp '    mirrored ' '    mirrored,'
+    edit include/carom/scene.hpp '    mirrored,' '    still' after
     add_name include/carom/scene.hpp check_type_names still
-    edit src/scene/check_keys.hpp '{CheckType::reversed},' '    {CheckType::still},' after
+    edit src/scene/check_keys.hpp '{CheckType::mirrored, {CheckKey::value}},' '    {CheckType::still},' after
     edit src/study/checks.cpp 'case CheckType::inside:' \
         '            case CheckType::still:
                 judge(check, velocity_deviation(outcome.final, std::vector<BodyState>(outcome.final.size())).max, 1);
                 needs_end(false);
                 break;' before
-    edit include/carom/checks.hpp '/// | reversed |' '/// | still | largest speed at the end [length/time] | 1 |' after
-    swap scenes/scene.schema.json '"later", "reversed"' '"later", "reversed", "still"'
+    edit include/carom/checks.hpp '/// | mirrored |' '/// | still | largest speed at the end [length/time] | 1 |' after
+    swap scenes/scene.schema.json '"reversed", "mirrored"' '"reversed", "mirrored", "still"'
     swap scenes/scene.schema.json '"inside", "reversed"]' '"inside", "reversed", "still"]'
 }
 
@@ -217,7 +217,7 @@ build() {
     [ -n "$folders" ] || die "CMakeLists.txt has no CAROM_CORE_FOLDERS"
     local sources units
     mapfile -t sources < <(cd "$tree/src" && find $folders -name "*.cpp" | sort &&
-        ls io/scene_*.cpp study/{checks,check_scene,repeat_run,run_study,metrics,deepest_overlap,lift_watch}.cpp)
+        ls io/scene_*.cpp study/{checks,check_scene,mirror_image,repeat_run,run_study,metrics,deepest_overlap,lift_watch}.cpp)
     mapfile -t units < <(affected "${sources[@]}")
     echo "${#units[@]} of ${#sources[@]} sources to compile"
     local flags=(-std=c++20 -O0 "${given_flags[@]}" -I"$tree/include" -I"$tree/src" -isystem "$eigen"

@@ -13,6 +13,7 @@ import { placeLabels, spread } from "./src/labels.js";
 import { farBelow, logAxis } from "./src/logaxis.js";
 import { groupRows, rowLabel, stepLabel, stepsOf, withLateAndLost } from "./src/rows.js";
 import { methodStyle, SYMBOLS } from "./src/styles.js";
+import { reasonsOf, resultOf, sceneOf } from "./src/stress_data.js";
 import { chordsOf, lineName, objects, share, throwScene } from "./src/tunnel_data.js";
 import { projection, suitableHeight } from "./src/view_draw.js";
 
@@ -206,6 +207,16 @@ test("the example keeps to the format", () => {
     for (const m of missed) assert.ok(m.times.length === m.names.length && m.times.every((t) => t <= until) && m.times.length === rows[m.row].missed_impacts);
     for (const t of view.tracks) assert.equal(decodeTrack(t.data).length, view.times.length * view.radius.length * 2);
   }
+});
+
+test("a stress case says each reason once, with those who fail for it", () => {
+  const results = [["event", true, ""], ["pbd", false, "late"], ["naive", false, "sank"], ["velocity", false, "late"]]
+    .map(([method, passed, reason]) => ({ method, passed, reason }));
+  assert.deepEqual(reasonsOf({ results }), [{ methods: ["pbd", "velocity"], reason: "late" }, { methods: ["naive"], reason: "sank" }]);
+  assert.equal(resultOf({ results }, "naive").reason, "sank");
+  assert.equal(resultOf({ results }, "toi"), undefined);
+  assert.equal(sceneOf("zeno, e = 0.9"), "zeno");
+  assert.equal(sceneOf("zeno"), "zeno");
 });
 
 test("rows of a tunnelling study are told apart by what differs", () => {

@@ -41,10 +41,12 @@ TEST_CASE("options are read where the contract puts them, global ones anywhere",
     CHECK(compare.compare.given.at("methods") == "event,pbd");
     CHECK(compare.global.no_progress);
     CHECK(parsed({"report", "a", "b", "-o", "c.html"}).report.folders == std::vector<std::string>{"a", "b"});
-    const Arguments stress = parsed({"stress", "--methods", "event", "--case", "zeno", "-o", "x"});
+    const Arguments stress = parsed({"stress", "zeno", "drift", "--methods", "event", "-o", "x"});
     CHECK(stress.command == Command::stress);
     CHECK(stress.stress.given.at("methods") == "event");
-    CHECK(stress.stress.only == "zeno");
+    CHECK(stress.stress.only == std::vector<std::string>{"zeno", "drift"});
+    CHECK_FALSE(stress.stress.list);
+    CHECK(parsed({"stress", "--list"}).stress.list);
     CHECK(stress.stress.out == "x");
     CHECK(parsed({"verify", "out/x"}).verify.run == "out/x");
     CHECK(parsed({"verify", "out/x", "--all-pairs"}).verify.all_pairs);

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 using namespace carom::cli;
@@ -144,13 +145,14 @@ TEST_CASE("a scene's defaults may ask for all final states", "[cli]")
         json::parse(carom_tool({"run", file.path(), "--json", "--set", "/run/final=false"}).out).contains("final"));
 }
 
-TEST_CASE("every scene of the catalogue passes its checks", "[cli]")
+TEST_CASE("every scene of the catalogue passes its checks, but for those that wait for what is not built", "[cli]")
 {
     const std::set<std::string> long_ones{"settle_1000"};  // 40 CPU s
     for (const carom::CatalogueEntry& entry : carom::list_scenes(scene_folder())) {
         CAPTURE(entry.name);
         CHECK(fs::exists(fs::path(entry.path).replace_extension(".svg")));
-        if (!long_ones.contains(entry.name))
+        const std::optional<carom::StressPart> stress = carom::read_scene(entry.path).stress;
+        if (!long_ones.contains(entry.name) && (!stress || stress->waits_for.empty()))
             CHECK(carom_tool({"check", entry.path.string(), "--json"}).code == exit_ok);
     }
 }

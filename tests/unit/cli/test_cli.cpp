@@ -259,25 +259,42 @@ TEST_CASE("scenes are listed and shown", "[cli]")
     CHECK(json::parse(carom_tool({"scenes", "--json"}).out)["scenes"].is_array());
 }
 
-TEST_CASE("stress says who passes and why others fail, in a table, as JSON and in files", "[cli]")
+TEST_CASE("stress says who passes and why others fail, in a table, as JSON, in files and on a page", "[cli]")
 {
     const Folder folder;
-    const Said table = carom_tool({"stress", "--methods", "event,naive", "--case", "ulp_gap", "-o", folder / "s"});
+    const Said table = carom_tool({"stress", "ulp_gap", "--methods", "event,naive", "-o", folder / "s"});
     CHECK(table.code == exit_ok);
-    CHECK_THAT(table.out, Contains("ulp_gap  pass") && Contains("FAIL") && Contains("naive: made ") &&
-                              Contains("passed if") && Contains("event passes 1 of 1, naive passes 0 of 1"));
-    CHECK_THAT(folder.read("s/stress.csv"), Contains("ulp_gap,event,true,") && Contains("ulp_gap,naive,false,"));
+    CHECK_THAT(table.out, Contains("ulp_gap  pass") && Contains("FAIL") &&
+                              Contains("naive: ulp_gap_soft_floor: made ") && Contains("passed if") &&
+                              Contains("event passes 1 of 1") && Contains("naive passes 0 of 1") &&
+                              Contains("report.html"));
+    CHECK_THAT(folder.read("s/stress.csv"), Contains("ulp_gap,,event,true,") && Contains("ulp_gap,,naive,false,"));
+    CHECK_THAT(folder.read("s/report.html"), Contains("<html") && Contains("carom-stress-page/1"));
     const json data = json::parse(folder.read("s/stress.json"));
     CHECK(data["format"] == "carom-stress/1");
     CHECK(data["event_passes"] == true);
-    CHECK(data["cases"][0]["results"][1]["symptom"] == "invented");
-    CHECK(json::parse(carom_tool({"stress", "--json", "--methods", "pbd", "--case", "speed"}).out)["cases"].size() ==
-          1);
+    const json& naive = data["cases"][0]["results"][1];
+    CHECK(naive["symptom"] == "invented");
+    CHECK(naive["scene"] == "ulp_gap_soft_floor");
+    CHECK(naive["runs"].size() == 6);
+    CHECK(json::parse(carom_tool({"stress", "--json", "--methods", "pbd", "speed", "zeno"}).out)["cases"].size() == 2);
 
-    const Said unknown = carom_tool({"stress", "--case", "grasing"});
+    const Said unknown = carom_tool({"stress", "grasing"});
     CHECK(unknown.code == exit_usage);
-    CHECK_THAT(unknown.err, Contains("grazing"));
+    CHECK_THAT(unknown.err, Contains("did you mean \"grazing\""));
     CHECK(carom_tool({"stress", "--methods", "magic"}).code == exit_usage);
+}
+
+TEST_CASE("stress lists its cases, says which wait for something, and runs them without being strict", "[cli]")
+{
+    const Said list = carom_tool({"stress", "--list"});
+    CHECK(list.code == exit_ok);
+    CHECK_THAT(list.out, Contains("grazing") && Contains("leaning_least (waits)") && !Contains("passed if"));
+    const json cases = json::parse(carom_tool({"stress", "--list", "--json"}).out)["cases"];
+    CHECK(cases.size() > 30);
+    const Said waiting = carom_tool({"stress", "leaning_least", "--methods", "event"});
+    CHECK(waiting.code == exit_ok);
+    CHECK_THAT(waiting.out, Contains("FAIL") && Contains("waits for") && Contains("event passes 0 of 0"));
 }
 
 TEST_CASE("run and explain say how several contacts, rest and accumulating impacts are answered", "[cli]")

@@ -6,6 +6,7 @@
 
 using namespace carom;
 using namespace carom::test;
+using Catch::Contains;
 
 TEST_CASE("the example of the contract is read with the right values", "[io]")
 {
@@ -170,7 +171,32 @@ TEST_CASE("a scene's part in a stress case is read", "[io]")
     CHECK(s.stress->figure == "what");
     CHECK(s.stress->step == "how");
     CHECK(s.stress->causes == std::map<Symptom, std::string>{{Symptom::late, "why"}});
+    CHECK(s.stress->waits_for.empty());
+    CHECK(s.stress->members.empty());
+    CHECK_FALSE(s.stress->stiffness);
     CHECK_FALSE(parse_scene(scene_with(""), "s.json").stress);
+}
+
+TEST_CASE("variations of a stress scene are assignments, with the digits of the file", "[io]")
+{
+    const Scene s = parse_scene(scene_with(R"("stress": {"case": "any", "dt": 0.1, "exact": 1, "stiffness": 100,
+        "waits_for": "better days", "members": [{"name": "e = 0.90", "set": {"/materials/m/restitution": 0.90,
+        "/spheres": [{"id": "a \"b\"", "fixed": true}, null]}}]})"),
+                                "s.json");
+    CHECK(s.stress->stiffness == 100);
+    CHECK(s.stress->waits_for == "better days");
+    REQUIRE(s.stress->members.size() == 1);
+    CHECK(s.stress->members[0].name == "e = 0.90");
+    CHECK(s.stress->members[0].set == std::vector<std::string>{"/materials/m/restitution=0.90",
+                                                               R"(/spheres=[{"id":"a \"b\"","fixed":true},null])"});
+    CHECK_THROWS_WITH(parse_scene(scene_with(R"("stress": {"case": "any", "dt": 0.1, "exact": 1,
+        "members": [{"name": "x", "set": {"end_time": 2}}]})"),
+                                  "s.json"),
+                      Contains("/stress/members/0/set") && Contains("must begin with /"));
+    CHECK_THROWS_WITH(parse_scene(scene_with(R"("stress": {"case": "any", "dt": 0.1, "exact": 1,
+        "members": [{"set": {}}]})"),
+                                  "s.json"),
+                      Contains("/stress/members/0") && Contains("name") && Contains("must be an object"));
 }
 
 TEST_CASE("rest options and command defaults are kept", "[io]")

@@ -301,6 +301,36 @@ TEST_CASE("event is the same elsewhere, later and backwards, and steppers need n
     }
 }
 
+TEST_CASE("a state that is its own mirror image holds, one that is not says by how much", "[checks]")
+{
+    Scene scene;
+    scene.end_time = 1;
+    scene.spheres.resize(3);
+    const Vec3 normal(0, 2, 0);  // of any length
+    for (std::size_t i = 0; i < 3; ++i) {
+        scene.spheres[i].id = std::to_string(i);
+        scene.spheres[i].radius = 0.5;
+        scene.spheres[i].position = Vec3(static_cast<double>(i == 2), i == 2 ? 0 : i == 0 ? 2 : -2, 7);
+        scene.spheres[i].velocity = Vec3(1, i == 2 ? 0 : i == 0 ? 1 : -1, 3);
+    }
+    Check check = check_of(CheckType::mirrored, 0);
+    check.value = normal;
+    check.abs = 1e-12;
+    scene.checks = {check};
+    CHECK(validate(scene).empty());
+    CHECK(check_scene(scene).all_hold());
+    scene.spheres[0].position.y() += 0.125;  // a quarter of a radius, seen from either side
+    CheckResult off = check_scene(scene).results[0];
+    CHECK(off.verdict == CheckVerdict::fails);
+    CHECK(*off.error == Approx(0.25));
+    scene.spheres[0].position.y() -= 0.125;
+    scene.spheres[0].velocity.y() = -1;
+    off = check_scene(scene).results[0];
+    CHECK(off.verdict == CheckVerdict::fails);
+    scene.checks[0].value = Vec3::Zero();
+    CHECK_FALSE(validate(scene).empty());
+}
+
 TEST_CASE("a run elsewhere that is another one fails, however near its end", "[checks]")
 {
     const Scene scene = small_gas(CheckType::moved);

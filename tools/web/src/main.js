@@ -7,13 +7,14 @@ import { formatQuantity, isNumber } from "./format.js";
 import { missedFigure } from "./missed_chart.js";
 import { withLateAndLost } from "./rows.js";
 import { glossary, rowsTable } from "./table.js";
+import { stressPage } from "./stress_page.js";
 import { onThemeChange } from "./theme.js";
 import { timeFigure } from "./time_chart.js";
 import { tunnelPage } from "./tunnel_page.js";
 import { viewFigure } from "./view.js";
 import { workFigure } from "./work_chart.js";
 
-const PAGES = { "carom-page/1": build, "carom-tunnel-page/1": tunnelPage };
+const PAGES = { "carom-page/1": build, "carom-tunnel-page/1": tunnelPage, "carom-stress-page/1": stressPage };
 const KINDS = { closed_form: "closed form", multiprecision: "independent multiprecision integrator" };
 
 /** What may be absent is made empty, so that nothing later has to ask. */
