@@ -192,9 +192,7 @@ private:
         NumericMotion motion = numeric_motion(
             state_, component(), part, held, [&](std::size_t i) { return contacts_.force(i); }, now_, contacts_.soft());
         if (!motion.opened.empty()) {
-            std::vector<char> opens(component().problem.contacts.size(), 0);
-            for (const std::size_t i : motion.opened) opens[i] = 1;
-            contacts_.release(std::move(opens));
+            contacts_.release(motion.opened);
             return false;
         }
         for (std::size_t n = 0; n < part.size(); ++n) {

@@ -21,7 +21,8 @@ public:
                         std::span<const double> guess, double tolerance)
         : problem_(problem), normals_(normals), products_(std::move(products)), tolerance_(tolerance)
     {
-        for (const double multiplier : guess) is_active_.push_back(multiplier > 0);
+        for (std::size_t i = 0; i < guess.size(); ++i)
+            is_active_.push_back(guess[i] > 0 || problem.half_spaces[i].is_equality);
         out_.multipliers.assign(normals.size(), 0);
         out_.complete = false;
     }
@@ -70,6 +71,7 @@ private:
     {
         bool some = false;
         for (std::size_t i = 0; i < is_active_.size(); ++i) {
+            if (problem_.half_spaces[i].is_equality) continue;
             const bool wrong =
                 is_active_[i] ? out_.multipliers[i] < 0 : slack(problem_.half_spaces[i], out_.point) < -tolerance_;
             if (!wrong) continue;

@@ -13,8 +13,11 @@ namespace {
 
 bool is_satisfied(const ProjectionProblem& problem, const Component& part)
 {
-    for (const int i : part.half_spaces)
-        if (slack(problem.half_spaces[static_cast<std::size_t>(i)], problem.start) < -problem.tolerance) return false;
+    for (const int i : part.half_spaces) {
+        const HalfSpace& h = problem.half_spaces[static_cast<std::size_t>(i)];
+        const double rate = slack(h, problem.start);
+        if (h.is_equality ? rate != 0 : rate < -problem.tolerance) return false;
+    }
     return true;
 }
 
@@ -71,6 +74,7 @@ Projection project(const ProjectionProblem& problem, std::span<const int> chosen
         const Projection solved = solve(part_of(problem, part), part_guess);
         out.complete = out.complete && solved.complete;
         out.steps += solved.steps;
+        for (const int k : solved.bound) out.bound.push_back(part.half_spaces[static_cast<std::size_t>(k)]);
         for (std::size_t k = 0; k < part.vectors.size(); ++k)
             out.point[static_cast<std::size_t>(part.vectors[k])] = solved.point[k];
         for (std::size_t k = 0; k < part.half_spaces.size(); ++k)
