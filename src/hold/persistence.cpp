@@ -168,19 +168,16 @@ bool Persistence::project_velocities()
 bool Persistence::take_nearest(std::vector<char>& left)
 {
     const double scale = std::max(fastest(component_), slow_), margin = 2 * opening_speed * scale;
-    ProjectionProblem nearest;
-    for (const ContactBody& body : problem().bodies) {
-        nearest.start.push_back(body.velocity);
-        nearest.w.push_back(body.inverse_mass);
-    }
+    ProjectionProblem nearest = projection_problem(problem());
     nearest.tolerance = opening_speed / 2 * scale;
     nearest.dependent = known_normal;
     std::vector<int> rows;
     std::vector<double> guess;
     for (std::size_t i = 0; i < count(); ++i) {
-        const Contact& c = problem().contacts[i];
-        nearest.half_spaces.push_back({c.a, c.b, c.normal, persists_[i] ? 0 : -margin, persists_[i] != 0});
-        guess.push_back(slack(nearest.half_spaces.back(), nearest.start) < 0 ? 1 : 0);
+        HalfSpace& row = nearest.half_spaces[i];
+        row.is_equality = persists_[i] != 0;
+        if (!row.is_equality) row.offset = -margin;
+        guess.push_back(slack(row, nearest.start) < 0 ? 1 : 0);
         if (!left[i]) rows.push_back(static_cast<int>(i));
     }
     const Projection found = project(nearest, rows, guess);
@@ -220,27 +217,18 @@ void Persistence::bring_to_rest()
     }
 }
 
-std::vector<std::vector<std::size_t>> Persistence::parts() const
+std::vector<Persistence::Part> Persistence::parts() const
 {
     const std::size_t n = problem().bodies.size();
     DisjointSets sets(n);
     for (std::size_t i = 0; i < count(); ++i)
         if (persists_[i] && b(i)) sets.join(static_cast<std::size_t>(a(i)), static_cast<std::size_t>(*b(i)));
-    std::vector<std::vector<std::size_t>> out, by_smallest(n);
-    for (std::size_t k = 0; k < n; ++k) by_smallest[sets.smallest(k)].push_back(k);
-    for (auto& part : by_smallest)
-        if (!part.empty()) out.push_back(std::move(part));
-    return out;
-}
-
-std::vector<std::vector<std::size_t>> Persistence::contacts_of(const std::vector<std::vector<std::size_t>>& parts) const
-{
-    std::vector<std::size_t> part_of(problem().bodies.size());
-    for (std::size_t p = 0; p < parts.size(); ++p)
-        for (const std::size_t k : parts[p]) part_of[k] = p;
-    std::vector<std::vector<std::size_t>> out(parts.size());
+    std::vector<Part> out, by_smallest(n);
+    for (std::size_t k = 0; k < n; ++k) by_smallest[sets.smallest(k)].bodies.push_back(k);
     for (std::size_t i = 0; i < count(); ++i)
-        if (persists_[i]) out[part_of[static_cast<std::size_t>(a(i))]].push_back(i);
+        if (persists_[i]) by_smallest[sets.smallest(static_cast<std::size_t>(a(i)))].contacts.push_back(i);
+    for (Part& part : by_smallest)
+        if (!part.bodies.empty()) out.push_back(std::move(part));
     return out;
 }
 

@@ -14,10 +14,11 @@ public:
 
     const ContactComponent& component() const { return component_; }
     bool persists(std::size_t contact) const { return persists_[contact]; }
-    /// Bodies that persistent contacts connect, as positions in `bodies`, ascending.
-    std::vector<std::vector<std::size_t>> parts() const;
-    /// By part, the persistent contacts of its bodies.
-    std::vector<std::vector<std::size_t>> contacts_of(const std::vector<std::vector<std::size_t>>& parts) const;
+    /// Bodies that persistent contacts connect, and these contacts, as positions in the problem, ascending.
+    struct Part {
+        std::vector<std::size_t> bodies, contacts;
+    };
+    std::vector<Part> parts() const;
 
     /// Positions of a contact's spheres in `bodies`; `immovable` for b where it is none of them.
     int a(std::size_t contact) const { return problem().contacts[contact].a; }
