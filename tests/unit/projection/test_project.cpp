@@ -123,7 +123,7 @@ TEST_CASE("A guess, right, nearly right or wrong, changes nothing but the work")
             largest = std::max(largest, plain.multipliers[i] * normal_length2(problem.half_spaces[i], problem.w));
         CHECK(largest_difference(guessed.point, plain.point) < 1e-10 * largest);
         for (const double multiplier : guessed.multipliers) CHECK(multiplier >= 0);
-        alone += primal_dual_active_set(problem, guess, Factors::dense).complete;
+        alone += primal_dual_active_set(problem, guess).complete;
     }
     CHECK(alone > 500);  // it is not always the other solver that answers
 }
