@@ -133,13 +133,16 @@ double Persistence::turning(std::size_t contact) const
 }
 
 /// Acceleration [length/time^2] that opens a contact by no more than its tolerance until it is asked again: at the end
-/// of the run without gravity, after a step where a new one turns.
+/// of the run without gravity, after a step where a new one turns that meets a numeric piece. (The parabola that stands
+/// for such a piece may close what its step opens.)
 double Persistence::softest(std::size_t contact) const
 {
     const Contact& c = problem().contacts[contact];
     double time = std::numeric_limits<double>::infinity();
     if (!(length(state_.gravity()) > 0)) time = state_.scene.end_time;
-    if (!c.persistent && turns(contact)) time = std::min(time, state_.rest.numeric_step);
+    const bool meets_piece =
+        state_.bodies.is_in_piece(id_of_a(c)) || (c.partner.is_sphere() && state_.bodies.is_in_piece(c.partner.index));
+    if (!c.persistent && turns(contact) && meets_piece) time = std::min(time, state_.rest.numeric_step);
     return std::max(soft_, 2 * persistence_gap(state_, id_of_a(c), c.partner) / time / time);
 }
 

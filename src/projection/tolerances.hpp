@@ -15,7 +15,7 @@ namespace carom {
 /// Half-spaces [1] up to which the dense active set solves a part: it is exact to rounding and at ease with dependent
 /// ones. Measured: with 28 it takes as long as sparse factors, with 82 two to five times as long, 0.2 ms.
 inline constexpr std::size_t dense_limit = 80;
-/// Half-spaces [1] up to which it does so though there is a guess: not measured yet.
+/// The same where there is a guess [1]. Measured: one heap takes 2.4 s with 4, 12 or 28 of them, and 5.0 s with 80.
 inline constexpr std::size_t guessed_limit = 12;
 /// Sweeps [1] of Gauss-Seidel before a sparse active set: enough to tell most active half-spaces from the others.
 /// Measured: of 20 piles, sets that begin from 30 sweeps do not settle in 3, from 3 or 10 sweeps in 4 and 3, and from
