@@ -191,3 +191,18 @@ TEST_CASE("without gravity a contact opens if it would by its tolerance before t
         CHECK(decided.rate(0, sphere(1)) >= 0);
     }
 }
+
+TEST_CASE("a new contact that meets a numeric piece opens if it would by its tolerance within a step, others at once")
+{
+    for (const bool in_piece : {false, true})
+        for (const double opening : {1e-5, 1e-4}) {  // by 1e-10 and 1e-9 within a step of 4.5e-3
+            Scene scene = empty_scene(1, down, 0.5);
+            add_sphere(scene, 0.5, {0, 0, 1}, {0, std::sqrt(g + opening), 0});
+            add_fixed(scene, Vec3::Zero());
+            State state(scene, Precision::plain);
+            ContactComponent component = declared_components(state).front();
+            component.problem.contacts.front().persistent = false;
+            if (in_piece) state.bodies.set({0, state.flight(0), Stepping{}});
+            CHECK(Persistence(state, component).persists(0) == (in_piece && opening < 5e-5));
+        }
+}
