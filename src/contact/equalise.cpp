@@ -40,7 +40,6 @@ EqualisingChange equalising_change(const ContactProblem& cluster, std::span<cons
     std::optional<ActiveFactor> factor;
     if (normals.size() >= factored_from) {
         factor.emplace(w.size(), normals);
-        factor->take_epsilon(small_epsilon);
         factor->follow(all);
     }
     ShortestChange found = shortest_change(normals, all, scaled, w.size(), {factor ? &*factor : nullptr, furthest});

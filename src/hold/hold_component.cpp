@@ -48,21 +48,15 @@ private:
     bool try_all()
     {
         shift_.assign(count(), Vec3::Zero());
-        const std::vector<Indices> parts = contacts_.parts(), held = contacts_.contacts_of(parts);
-        sort_by_body(held);
-        for (std::size_t p = 0; p < parts.size(); ++p)
-            if (!go_on(parts[p], held[p])) return false;
-        return true;
-    }
-
-    void sort_by_body(const std::vector<Indices>& held)
-    {
         of_body_.assign(count(), {});
-        for (const Indices& some : held)
-            for (const std::size_t i : some) {
+        const std::vector<Persistence::Part> parts = contacts_.parts();
+        for (const Persistence::Part& part : parts)
+            for (const std::size_t i : part.contacts) {
                 of_body_[static_cast<std::size_t>(contacts_.a(i))].push_back(i);
                 if (contacts_.b(i)) of_body_[static_cast<std::size_t>(*contacts_.b(i))].push_back(i);
             }
+        return std::all_of(parts.begin(), parts.end(),
+                           [&](const Persistence::Part& part) { return go_on(part.bodies, part.contacts); });
     }
 
     /// \param held persistent contacts of the part
@@ -192,9 +186,7 @@ private:
         NumericMotion motion = numeric_motion(
             state_, component(), part, held, [&](std::size_t i) { return contacts_.force(i); }, now_, contacts_.soft());
         if (!motion.opened.empty()) {
-            std::vector<char> opens(component().problem.contacts.size(), 0);
-            for (const std::size_t i : motion.opened) opens[i] = 1;
-            contacts_.release(std::move(opens));
+            contacts_.release(motion.opened);
             return false;
         }
         for (std::size_t n = 0; n < part.size(); ++n) {

@@ -14,10 +14,11 @@ public:
 
     const ContactComponent& component() const { return component_; }
     bool persists(std::size_t contact) const { return persists_[contact]; }
-    /// Bodies that persistent contacts connect, as positions in `bodies`, ascending.
-    std::vector<std::vector<std::size_t>> parts() const;
-    /// By part, the persistent contacts of its bodies.
-    std::vector<std::vector<std::size_t>> contacts_of(const std::vector<std::vector<std::size_t>>& parts) const;
+    /// Bodies that persistent contacts connect, and these contacts, as positions in the problem, ascending.
+    struct Part {
+        std::vector<std::size_t> bodies, contacts;
+    };
+    std::vector<Part> parts() const;
 
     /// Positions of a contact's spheres in `bodies`; `immovable` for b where it is none of them.
     int a(std::size_t contact) const { return problem().contacts[contact].a; }
@@ -29,8 +30,8 @@ public:
     bool turns(std::size_t contact) const;
     double soft() const { return soft_; }  ///< with less nothing opens a contact [length/time^2]
 
-    /// These persist no more, for good, and open from here on. \param opens by contact
-    void release(std::vector<char> opens);
+    /// These persist no more, for good, and open from here on.
+    void release(const std::vector<std::size_t>& contacts);
 
     /// By contact, along the normal on its `a`: what took the speed of slow contacts. Below 0 where one that opened
     /// slowly was held [mass length/time].
@@ -46,29 +47,17 @@ private:
     double rate(std::size_t contact) const;
     bool is_closed(std::size_t contact) const;
     double turning(std::size_t contact) const;
-    bool loses_energy() const;
     double lowest_rebound(std::size_t contact) const;
     double softest(std::size_t contact) const;
-    double kinetic_energy() const;
-    ContactProblem with_contacts(const std::vector<char>& which) const;
-    std::vector<double> forces_before() const;
 
     void choose_candidates();
     void find_forces();
-    void let_open(std::vector<char>& opens);
-    bool stop_closing();
-    void equalise(const std::vector<char>& which, const std::vector<double>& wanted);
-    void push_apart(std::vector<char> opens);
-    bool push(std::vector<char>& opens, const std::vector<char>& left, double enough);
-    std::vector<int> holds() const;
-    void follow_planes();
-    void open_what_closes();
+    bool project_velocities();
+    bool take_nearest(std::vector<char>& left);
     void bring_to_rest();
-    void hold_pressed();
 
     const State& state_;
     ContactComponent component_;
-    const Vec3 gravity_;
     const double slow_;  ///< contacts no faster than this neither open nor close [length/time]
     const double soft_;  ///< nothing opens a contact with less acceleration than this [length/time^2]
     /// Accelerations of bodies in contact are the same within this, and are 0. (One threshold for both: otherwise one
@@ -76,7 +65,6 @@ private:
     const double same_ = 4 * soft_;
     std::vector<char> persists_;      ///< by contact
     std::vector<double> force_;       ///< by contact
-    std::vector<double> opening_;     ///< by contact, d2 gap / dt2 [length/time^2]
     std::vector<Vec3> acceleration_;  ///< by body
     std::vector<char> released_;      ///< by contact: see release()
     std::vector<double> impulses_;

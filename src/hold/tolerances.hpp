@@ -18,9 +18,9 @@ inline constexpr double no_normal_speed = 2 * normal_speed_rounding;
 inline constexpr double narrow_gap = 1e-3;
 /// Speed [largest speed] of a contact that opens: twice what `normal_speed_rounding` makes of it.
 inline constexpr double opening_speed = 2 * normal_speed_rounding;
-/// Pushes [1] of contacts that are to open, each with twice the margin: a bound of the loop, for 11 reach a `slow` that
-/// is rounding of the speeds.
-inline constexpr int most_pushes = 40;
+/// Normal [1] of a contact that persists is known to this, about sqrt(2 * 1e-9): spheres that are turned by less are
+/// within the tolerance of their gap. So rates are not told apart that differ by it.
+inline constexpr double known_normal = 1e-4;
 
 // Low bounces under drag.
 

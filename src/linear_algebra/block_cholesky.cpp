@@ -97,64 +97,6 @@ void BlockCholesky::factor(std::span<const Column> columns)
     }
 }
 
-int BlockCholesky::first_of(const Column& column) const
-{
-    const int a = pattern_->place[at(column.a)];
-    return column.b ? std::min(a, pattern_->place[at(*column.b)]) : a;
-}
-
-std::optional<int> BlockCholesky::parent_of(int block) const
-{
-    const int first = pattern_->begin[at(block)], last = pattern_->begin[at(block) + 1];
-    return last - first > 1 ? std::optional(pattern_->rows[at(first + 1)]) : std::nullopt;
-}
-
-double BlockCholesky::update_cost(const Column& column) const
-{
-    double cost = 0;
-    for (std::optional<int> j = first_of(column); j; j = parent_of(*j)) {
-        const int size = pattern_->begin[at(*j) + 1] - pattern_->begin[at(*j)];
-        cost += 18 * size;
-    }
-    return cost;
-}
-
-void BlockCholesky::update(const Column& column, double sign)
-{
-    const std::vector<int>&place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;
-    std::vector<Vector> w(place.size(), Vector{});
-    w[at(place[at(column.a)])] = column.first;
-    if (column.b) w[at(place[at(*column.b)])] = column.second;
-    // The update goes along the path, a scalar column after the other.
-    for (std::optional<int> next = first_of(column); next; next = parent_of(*next)) {
-        const int j = *next;
-        const int first = begin[at(j)], last = begin[at(j) + 1];
-        Block& pivot = blocks_[at(first)];
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double l = pivot[4 * c], x = w[at(j)][c];
-            const double square = l * l + sign * x * x;
-            // Rounding may leave less than the unit matrix, which is never taken away.
-            const double r = std::sqrt(std::max(square, 1.0));
-            const double cosine = r / l, sine = x / l;
-            pivot[4 * c] = r;
-            for (std::size_t k = c + 1; k < 3; ++k) {
-                double& entry = pivot[3 * k + c];
-                entry = (entry + sign * sine * w[at(j)][k]) / cosine;
-                w[at(j)][k] = cosine * w[at(j)][k] - sine * entry;
-            }
-            for (int p = first + 1; p < last; ++p) {
-                Vector& below = w[at(rows[at(p)])];
-                Block& block = blocks_[at(p)];
-                for (std::size_t k = 0; k < 3; ++k) {
-                    double& entry = block[3 * k + c];
-                    entry = (entry + sign * sine * below[k]) / cosine;
-                    below[k] = cosine * below[k] - sine * entry;
-                }
-            }
-        }
-    }
-}
-
 void BlockCholesky::solve(std::span<Vector> b) const
 {
     const std::vector<int>&place = pattern_->place, &begin = pattern_->begin, &rows = pattern_->rows;

@@ -1,7 +1,7 @@
 /// \file
 /// Sparse Cholesky factorisation of symmetric positive definite matrices made of 3 x 3 blocks: one row and column of
-/// blocks a body, one block off the diagonal for bodies in contact. The sparsity is analysed once; factors follow the
-/// matrix by updates. Sums run in a fixed order, so that every compiler gives the same bits.
+/// blocks a body, one block off the diagonal for bodies in contact. The sparsity is analysed once. Sums run in a fixed
+/// order, so that every compiler gives the same bits.
 #pragma once
 
 #include "linear_algebra/block_pattern.hpp"
@@ -15,7 +15,7 @@
 namespace carom {
 
 /// Left-looking; fill-reducing order: approximate minimum degree (Amestoy, Davis and Duff 1996, Eigen's). Davis, Direct
-/// Methods for Sparse Linear Systems, 2006, https://doi.org/10.1137/1.9780898718881, sections 4 and 4.11 (updates).
+/// Methods for Sparse Linear Systems, 2006, https://doi.org/10.1137/1.9780898718881, section 4.
 class BlockCholesky {
 public:
     using Block = std::array<double, 9>;  ///< row after row
@@ -33,22 +33,11 @@ public:
 
     /// Factors the unit matrix plus the terms of all columns. \pre a column's pair of blocks is an edge
     void factor(std::span<const Column> columns);
-    /// The factor of the matrix plus (sign +1) or minus (-1) c c^T. \pre what is left is positive definite
-    void update(const Column& column, double sign);
 
     /// Solves in place. \pre factor was called
     void solve(std::span<Vector> b) const;
 
-    /// Work of an update and of a factorisation, in multiplications, to choose between them.
-    double update_cost(const Column& column) const;
-    double factor_cost() const { return pattern_->factor_cost; }
-
 private:
-    /// The path of a column to the root of the elimination tree: its first block in the pattern's order, and what
-    /// follows a block.
-    int first_of(const Column& column) const;
-    std::optional<int> parent_of(int block) const;
-
     const std::shared_ptr<const BlockPattern> pattern_;
     std::vector<Block> blocks_;  ///< of the factor, in the order of the pattern's rows
 };

@@ -59,8 +59,6 @@ BlockPattern analysed(int blocks, const Edges& edges)
         out.rows.insert(out.rows.end(), column[at(j)].begin(), column[at(j)].end());
         out.begin.push_back(static_cast<int>(out.rows.size()));
         for (const int row : column[at(j)]) ++out.left_begin[at(row) + 1];
-        const auto below = static_cast<double>(column[at(j)].size());
-        out.factor_cost += 27 * (below + 1) * (below + 2) / 2;
     }
     for (std::size_t j = 0; j < at(blocks); ++j) out.left_begin[j + 1] += out.left_begin[j];
     out.left.resize(at(out.left_begin.back()));

@@ -17,7 +17,6 @@ struct BlockPattern {
     };
     std::vector<int> left_begin;
     std::vector<Left> left;  ///< by row: the blocks left of the diagonal
-    double factor_cost = 0;  ///< multiplications
 };
 
 /// The pattern of the factor of a symmetric matrix of 3 x 3 blocks, in a fill-reducing order: approximate minimum

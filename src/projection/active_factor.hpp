@@ -1,5 +1,5 @@
 /// \file
-/// The sparse factor that goes with the half-spaces which are active, as these come and go.
+/// The sparse factor that goes with the half-spaces which are active.
 #pragma once
 
 #include "projection/tolerances.hpp"
@@ -10,33 +10,30 @@
 
 namespace carom {
 
-/// The factor of I + sum a_i a_i^T / epsilon over the active ones among unit normals a_i. Dependent normals need no
-/// care: the matrix is the unit matrix and more.
+/// The factor of I + sum a_i a_i^T / small_epsilon over the active ones among unit normals a_i. Dependent normals need
+/// no care: the matrix is the unit matrix and more.
 class ActiveFactor {
 public:
     /// \param vectors their number \param normals sparsity is that of all, active or not; they outlive this
     ActiveFactor(std::size_t vectors, std::span<const UnitNormal> normals);
 
-    double epsilon() const { return epsilon_; }
-    /// Takes another epsilon, and forgets what was factored.
-    void take_epsilon(double epsilon);
-
-    bool is_of(const std::vector<char>& active) const { return factored_ == active; }
-    /// Factors the matrix of these active normals, by updates or anew, whichever is less work.
+    /// Factors the matrix of these active normals.
     void follow(const std::vector<char>& active);
+
+    /// Multipliers x that nearly make (sum_j x_j a_j) . a_i = wanted_i for the active ones, dependent normals among
+    /// them; 0 for the others. Asked again for what they leave, they leave small_epsilon / sigma^2 of it, sigma the
+    /// singular values of the normals (the method of multipliers; Bertsekas, Constrained Optimization and Lagrange
+    /// Multiplier Methods, 1982, chapter 2). \pre follow was called
+    std::vector<double> multipliers(std::span<const double> wanted) const;
 
     /// Solves in place. \pre follow was called
     void solve(std::span<BlockCholesky::Vector> b) const { cholesky_.solve(b); }
 
-    int factorisations() const { return factorisations_; }
-    int updates() const { return updates_; }
-
 private:
     std::span<const UnitNormal> normals_;
+    std::size_t vectors_;
     BlockCholesky cholesky_;
-    double epsilon_ = 1;
-    std::vector<char> factored_;  ///< by normal, or empty
-    int factorisations_ = 0, updates_ = 0;
+    std::vector<char> active_;  ///< by normal
 };
 
 }  // namespace carom

@@ -38,6 +38,7 @@ ProjectionProblem part_of(const ProjectionProblem& whole, const Component& part)
 {
     ProjectionProblem out;
     out.tolerance = whole.tolerance;
+    out.dependent = whole.dependent;
     for (const int k : part.vectors) {
         out.start.push_back(whole.start[static_cast<std::size_t>(k)]);
         out.w.push_back(whole.w[static_cast<std::size_t>(k)]);

@@ -31,6 +31,8 @@ public:
 
     DualActiveSetResult solve()
     {
+        for (std::size_t i = 0; i < count(); ++i)
+            if (is_equality(i)) activate(static_cast<int>(i));
         for (int polishes = 0;; ++polishes) {
             for (auto p = most_violated(); p && out_.conflict.empty(); p = most_violated()) activate(*p);
             refine();
@@ -42,6 +44,7 @@ public:
 
 private:
     std::size_t count() const { return length_.size(); }
+    bool is_equality(std::size_t i) const { return problem_.half_spaces[i].is_equality; }
 
     /// The half-space's normal in the metric's coordinates, of length 1.
     std::vector<double> unit_normal(int i) const
@@ -77,7 +80,7 @@ private:
         std::optional<int> worst;
         double lowest = 0;
         for (std::size_t i = 0; i < count(); ++i) {
-            if (skipped_[i]) continue;
+            if (skipped_[i] || is_equality(i)) continue;
             const double s = unit_slack(static_cast<int>(i));
             if (s < lowest && !is_satisfied(s, i, 1, 1)) {
                 lowest = s;
@@ -96,17 +99,17 @@ private:
         const std::vector<double> normal = unit_normal(p);
         while (steps_left_-- > 0) {
             const ThinQr::Split split = qr_.split(normal);
-            const bool is_dependent = split.residual_norm2 <= dependent_normal * dependent_normal;
+            const bool is_dependent = split.residual_norm2 <= problem_.dependent * problem_.dependent;
             // A coefficient that rounding leaves of a zero must not block, for a normal that depends on the active
             // ones.
             double least = 0;
             if (is_dependent)
                 for (const double c : split.coefficients)
-                    least = std::max({least, dependent_normal, dependent_normal * std::abs(c)});
+                    least = std::max({least, problem_.dependent, problem_.dependent * std::abs(c)});
             std::optional<std::size_t> blocking;
             double dual_step = 0;
             for (std::size_t j = 0; j < active_.size(); ++j) {
-                if (split.coefficients[j] <= least) continue;
+                if (split.coefficients[j] <= least || is_equality(static_cast<std::size_t>(active_[j]))) continue;
                 const double step = multiplier_[static_cast<std::size_t>(active_[j])] / split.coefficients[j];
                 if (!blocking || step < dual_step) {
                     blocking = j;
@@ -114,13 +117,17 @@ private:
                 }
             }
             if (is_dependent && !blocking) return found_conflict(p, split.coefficients);
-            const double primal_step = is_dependent ? 0 : std::max(0.0, -unit_slack(p)) / split.residual_norm2;
+            const double missing = -unit_slack(p);
+            const double primal_step =
+                is_dependent ? 0
+                             : (is_equality(static_cast<std::size_t>(p)) ? missing : std::max(0.0, missing)) /
+                                   split.residual_norm2;
             const bool whole = !is_dependent && (!blocking || primal_step <= dual_step);
             const double step = whole ? primal_step : dual_step;
             entering += step;
             for (std::size_t j = 0; j < active_.size(); ++j) {
-                double& multiplier = multiplier_[static_cast<std::size_t>(active_[j])];
-                multiplier = std::max(0.0, multiplier - step * split.coefficients[j]);
+                const auto k = static_cast<std::size_t>(active_[j]);
+                multiplier_[k] = allowed(k, multiplier_[k] - step * split.coefficients[j]);
             }
             if (!is_dependent)
                 for (std::size_t i = 0; i < y_.size(); ++i) y_[i] += step * split.residual[i];
@@ -139,6 +146,11 @@ private:
         out_.projection.complete = false;
     }
 
+    double allowed(std::size_t i, double multiplier) const
+    {
+        return is_equality(i) ? multiplier : std::max(0.0, multiplier);
+    }
+
     void skip(int p) { skipped_[static_cast<std::size_t>(p)] = 1; }
 
     void found_conflict(int p, const std::vector<double>& coefficients)
@@ -146,11 +158,15 @@ private:
         // Rounding, if the half-spaces are a cone: such a normal is minus a sum of active ones, its slack minus that of
         // their zeros.
         skip(p);
+        if (is_equality(static_cast<std::size_t>(p))) return;
+        std::vector<int> bound{p};
+        for (std::size_t j = 0; j < active_.size(); ++j)
+            if (coefficients[j] < -problem_.dependent && !is_equality(static_cast<std::size_t>(active_[j])))
+                bound.push_back(active_[j]);
+        out_.projection.bound.insert(out_.projection.bound.end(), bound.begin(), bound.end());
         if (is_satisfied(unit_slack(p), static_cast<std::size_t>(p), missed_by_dependent, missed_units_by_dependent))
             return;
-        for (std::size_t j = 0; j < active_.size(); ++j)
-            if (coefficients[j] < -dependent_normal) out_.conflict.push_back(active_[j]);
-        out_.conflict.push_back(p);
+        out_.conflict = std::move(bound);
         out_.projection.complete = false;
     }
 
@@ -168,7 +184,7 @@ private:
         double largest = 0;
         for (const int i : active_) largest = std::max(largest, multiplier_[static_cast<std::size_t>(i)]);
         for (const int i : active_)
-            if (multiplier_[static_cast<std::size_t>(i)] > dependent_normal * largest) out_.conflict.push_back(i);
+            if (multiplier_[static_cast<std::size_t>(i)] > problem_.dependent * largest) out_.conflict.push_back(i);
         out_.projection.complete = false;
     }
 
@@ -192,8 +208,8 @@ private:
             }
             const std::vector<double> correction = qr_.solve_normal(missing);
             for (std::size_t j = 0; j < active_.size(); ++j) {
-                double& multiplier = multiplier_[static_cast<std::size_t>(active_[j])];
-                multiplier = std::max(0.0, multiplier + correction[j]);
+                const auto k = static_cast<std::size_t>(active_[j]);
+                multiplier_[k] = allowed(k, multiplier_[k] + correction[j]);
             }
         }
         for (std::size_t k = 0; k < root_.size(); ++k)

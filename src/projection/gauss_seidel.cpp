@@ -20,7 +20,8 @@ Projection gauss_seidel(const ProjectionProblem& problem, int sweeps, std::vecto
             const std::size_t i = sweep % 2 == 0 ? j : count - 1 - j;
             const HalfSpace& h = problem.half_spaces[i];
             const double rate = slack(h, out.point);
-            const double next = std::max(0.0, out.multipliers[i] - rate / length2[i]);
+            const double satisfying = out.multipliers[i] - rate / length2[i];
+            const double next = h.is_equality ? satisfying : std::max(0.0, satisfying);
             const double change = next - out.multipliers[i];
             if (change == 0) continue;
             if (rate < -problem.tolerance || rate > problem.tolerance) out.complete = false;

@@ -1,8 +1,6 @@
 #include "projection/primal_dual_active_set.hpp"
 
-#include "projection/dense_products.hpp"
-#include "projection/sparse_products.hpp"
-#include "projection/tolerances.hpp"
+#include "projection/active_factor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +10,24 @@ namespace carom {
 
 namespace {
 
-/// \tparam Products of the active normals, factored
-template <class Products>
 class PrimalDualActiveSet {
 public:
-    /// \param tolerance of slacks
-    PrimalDualActiveSet(const ProjectionProblem& problem, std::span<const UnitNormal> normals, Products products,
-                        std::span<const double> guess, double tolerance)
-        : problem_(problem), normals_(normals), products_(std::move(products)), tolerance_(tolerance)
+    PrimalDualActiveSet(const ProjectionProblem& problem, std::span<const double> guess)
+        : problem_(problem),
+          normals_(unit_normals(problem)),
+          factor_(problem.start.size(), normals_),
+          tolerance_(sparse_tolerances * problem.tolerance)
     {
-        for (const double multiplier : guess) is_active_.push_back(multiplier > 0);
-        out_.multipliers.assign(normals.size(), 0);
+        for (std::size_t i = 0; i < guess.size(); ++i)
+            is_active_.push_back(guess[i] > 0 || problem.half_spaces[i].is_equality);
+        out_.multipliers.assign(normals_.size(), 0);
         out_.complete = false;
     }
 
     Projection solve()
     {
         for (out_.steps = 1; out_.steps <= most_set_changes; ++out_.steps) {
-            if (!products_.follow(is_active_)) break;
+            factor_.follow(is_active_);
             find_multipliers();
             if (!change_active()) {
                 out_.complete = largest_slack() <= tolerance_;
@@ -45,7 +43,7 @@ private:
     {
         out_.multipliers.assign(normals_.size(), 0);
         double before = std::numeric_limits<double>::infinity();
-        for (int round = 0; round <= Products::refinements; ++round) {
+        for (int round = 0; round <= sparse_refinements; ++round) {
             place_point();
             const double left = largest_slack();
             if (round > 0 && (left <= refined_enough * problem_.tolerance || left > before / 2)) return;
@@ -53,7 +51,7 @@ private:
             std::vector<double> missing(normals_.size(), 0);
             for (std::size_t i = 0; i < missing.size(); ++i)
                 if (is_active_[i]) missing[i] = -slack(problem_.half_spaces[i], out_.point) / normals_[i].length;
-            const std::vector<double> more = products_.multipliers(missing);
+            const std::vector<double> more = factor_.multipliers(missing);
             for (std::size_t i = 0; i < more.size(); ++i) out_.multipliers[i] += more[i] / normals_[i].length;
         }
         place_point();
@@ -70,6 +68,7 @@ private:
     {
         bool some = false;
         for (std::size_t i = 0; i < is_active_.size(); ++i) {
+            if (problem_.half_spaces[i].is_equality) continue;
             const bool wrong =
                 is_active_[i] ? out_.multipliers[i] < 0 : slack(problem_.half_spaces[i], out_.point) < -tolerance_;
             if (!wrong) continue;
@@ -91,23 +90,18 @@ private:
     }
 
     const ProjectionProblem& problem_;
-    std::span<const UnitNormal> normals_;
-    Products products_;
-    const double tolerance_;
+    const std::vector<UnitNormal> normals_;
+    ActiveFactor factor_;
+    const double tolerance_;       ///< of slacks
     std::vector<char> is_active_;  ///< by half-space
     Projection out_;
 };
 
 }  // namespace
 
-Projection primal_dual_active_set(const ProjectionProblem& problem, std::span<const double> guess, Factors factors)
+Projection primal_dual_active_set(const ProjectionProblem& problem, std::span<const double> guess)
 {
-    const std::vector<UnitNormal> normals = unit_normals(problem);
-    if (factors == Factors::dense)
-        return PrimalDualActiveSet(problem, normals, DenseProducts(normals), guess, problem.tolerance).solve();
-    return PrimalDualActiveSet(problem, normals, SparseProducts(normals, problem.start.size()), guess,
-                               sparse_tolerances * problem.tolerance)
-        .solve();
+    return PrimalDualActiveSet(problem, guess).solve();
 }
 
 }  // namespace carom

@@ -13,17 +13,12 @@ namespace {
 
 bool is_satisfied(const ProjectionProblem& problem, const Component& part)
 {
-    for (const int i : part.half_spaces)
-        if (slack(problem.half_spaces[static_cast<std::size_t>(i)], problem.start) < -problem.tolerance) return false;
+    for (const int i : part.half_spaces) {
+        const HalfSpace& h = problem.half_spaces[static_cast<std::size_t>(i)];
+        const double rate = slack(h, problem.start);
+        if (h.is_equality ? rate != 0 : rate < -problem.tolerance) return false;
+    }
     return true;
-}
-
-Projection solve_dense(const ProjectionProblem& part, Guess guess)
-{
-    Projection out;
-    out.complete = false;
-    if (guess) out = primal_dual_active_set(part, *guess, Factors::dense);
-    return out.complete ? out : dual_active_set(part).projection;
 }
 
 /// A set that does not settle most often does from more sweeps; the dense one always does, where it is not too dear.
@@ -34,16 +29,20 @@ Projection solve_sparse(const ProjectionProblem& part, Guess guess)
     for (int n = 0; n < most_sets; ++n) {
         if (n > 0 || !guess)
             multipliers = gauss_seidel(part, n > 0 ? more_sweeps : first_sweeps, std::move(multipliers)).multipliers;
-        Projection out = primal_dual_active_set(part, multipliers, Factors::sparse);
+        Projection out = primal_dual_active_set(part, multipliers);
         if (out.complete) return out;
     }
     if (part.half_spaces.size() <= largest_dense) return dual_active_set(part).projection;
     return {{}, std::move(multipliers), false, 0};
 }
 
+/// The sparse set is the quicker one where it begins near its end, and the dense one where it begins with nothing.
 Projection solve(const ProjectionProblem& part, Guess guess)
 {
-    Projection out = part.half_spaces.size() <= dense_limit ? solve_dense(part, guess) : solve_sparse(part, guess);
+    const std::size_t count = part.half_spaces.size();
+    Projection out{{}, {}, false};
+    if (guess && guessed_limit < count && count <= dense_limit) out = primal_dual_active_set(part, *guess);
+    if (!out.complete) out = count <= dense_limit ? dual_active_set(part).projection : solve_sparse(part, guess);
     if (!out.complete) out = gauss_seidel(part, last_sweeps, std::move(out.multipliers));
     return out;
 }
@@ -71,6 +70,7 @@ Projection project(const ProjectionProblem& problem, std::span<const int> chosen
         const Projection solved = solve(part_of(problem, part), part_guess);
         out.complete = out.complete && solved.complete;
         out.steps += solved.steps;
+        for (const int k : solved.bound) out.bound.push_back(part.half_spaces[static_cast<std::size_t>(k)]);
         for (std::size_t k = 0; k < part.vectors.size(); ++k)
             out.point[static_cast<std::size_t>(part.vectors[k])] = solved.point[k];
         for (std::size_t k = 0; k < part.half_spaces.size(); ++k)

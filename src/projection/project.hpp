@@ -12,8 +12,8 @@ namespace carom {
 using Guess = std::optional<std::span<const double>>;
 
 /// The point nearest to `problem.start` that satisfies the half-spaces listed in `chosen`, each once. The others are
-/// ignored, their multipliers 0. Slacks hold to the tolerance, in parts of more than `dense_limit` half-spaces to 100
-/// of them.
+/// ignored, their multipliers 0. Slacks hold to the tolerance, in parts of more than `dense_limit` half-spaces (with a
+/// guess, of more than `guessed_limit`) to 100 of them.
 Projection project(const ProjectionProblem& problem, std::span<const int> chosen, Guess guess = {});
 
 /// The same with all half-spaces.

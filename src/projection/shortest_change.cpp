@@ -120,17 +120,16 @@ private:
         return out;
     }
 
-    /// The step A (epsilon I + A^T A)^-2 A^T r for the residual r, A = (a_1 a_2 ...)^T. One inverse would do, but not
-    /// without numbers of the size of what cannot be mended over epsilon.
+    /// The step A (small_epsilon I + A^T A)^-2 A^T r for the residual r, A = (a_1 a_2 ...)^T. One inverse would do, but
+    /// not without numbers of the size of what cannot be mended over epsilon.
     Step preconditioned(const UnitVectors& gradient, const Numbers& residual) const
     {
         if (!options_.factor) return {gradient, residual};
         UnitVectors twice = gradient;
         options_.factor->solve(twice);
         options_.factor->solve(twice);
-        const double epsilon = options_.factor->epsilon();
         for (BlockCholesky::Vector& d : twice)
-            for (double& each : d) each /= epsilon * epsilon;
+            for (double& each : d) each /= small_epsilon * small_epsilon;
         Numbers combination = times(twice);
         return {transposed_times(combination), std::move(combination)};
     }

@@ -15,6 +15,8 @@ namespace carom {
 /// Half-spaces [1] up to which the dense active set solves a part: it is exact to rounding and at ease with dependent
 /// ones. Measured: with 28 it takes as long as sparse factors, with 82 two to five times as long, 0.2 ms.
 inline constexpr std::size_t dense_limit = 80;
+/// The same where there is a guess [1]. Measured: one heap takes 2.4 s with 4, 12 or 28 of them, and 5.0 s with 80.
+inline constexpr std::size_t guessed_limit = 12;
 /// Sweeps [1] of Gauss-Seidel before a sparse active set: enough to tell most active half-spaces from the others.
 /// Measured: of 20 piles, sets that begin from 30 sweeps do not settle in 3, from 3 or 10 sweeps in 4 and 3, and from
 /// 100 sweeps, which take as long as the set does, in 2.
@@ -58,16 +60,11 @@ inline constexpr int dual_steps_each = 20;
 inline constexpr int most_set_changes = 24;
 /// Part [1] of a tolerance that refinements of multipliers may leave: then the test of the other slacks decides.
 inline constexpr double refined_enough = 1.0 / 8;
-/// Pivot [1] of the products of active unit normals below which they depend on each other: a solve leaves u / pivot =
-/// 1e-8 of what it mends, two rounds leave rounding.
-inline constexpr double least_pivot = 1e-8;
-/// Rounds [1] of refinement by dense products: see `least_pivot`.
-inline constexpr int dense_refinements = 2;
 /// Rounds [1] of refinement by sparse products: each leaves `small_epsilon` / sigma^2 of what it mends, sigma the
 /// singular values of the normals: 8 reach 1e-16 where sigma^2 is above 1e-4.
 inline constexpr int sparse_refinements = 8;
 
-// Sparse factors (primal_dual_active_set.cpp, sparse_products.hpp, equalise.cpp).
+// Sparse factors (primal_dual_active_set.cpp, active_factor.hpp, equalise.cpp).
 
 /// Slacks [tolerances] that solve a problem with sparse factors: rounding of the sums over a body's contacts comes on
 /// top of that of multipliers. Measured: 5.7 left at most (of an earlier sparse solver; not since).
@@ -76,8 +73,6 @@ inline constexpr double sparse_tolerances = 100;
 /// singular values, for a tower of a thousand spheres 1.2e-6 (1 - cos of pi/2000). Multipliers carry the rounding of
 /// slacks over epsilon, 1e-10 of the sizes that occur.
 inline constexpr double small_epsilon = 1e-6;
-/// Time of a multiplication of an update [multiplications of a factorisation]: memory. Measured: 1.8 to 3.2.
-inline constexpr double update_price = 2.5;
 
 // Shortest change (shortest_change.cpp).
 

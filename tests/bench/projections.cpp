@@ -44,34 +44,6 @@ std::vector<ProjectionProblem> problems(int side)
     return out;
 }
 
-void price_of_updates()
-{
-    const ProjectionProblem problem = test::pile_problem(10, 10, true);
-    const std::vector<UnitNormal> normals = unit_normals(problem);
-    std::vector<std::pair<int, int>> edges;
-    std::vector<BlockCholesky::Column> columns;
-    for (const UnitNormal& n : normals) {
-        if (n.b) edges.emplace_back(n.a, *n.b);
-        columns.push_back(n.scaled(10));
-    }
-    BlockCholesky cholesky(static_cast<int>(problem.start.size()), edges);
-    cholesky.factor(columns);
-    constexpr int repeats = 20;
-    const double factor = milliseconds([&] {
-                              for (int k = 0; k < repeats; ++k) cholesky.factor(columns);
-                          }) /
-                          (repeats * cholesky.factor_cost());
-    double cost = 0;
-    const double update = milliseconds([&] {
-        for (std::size_t i = 0; i < columns.size(); i += 2) {
-            cholesky.update(columns[i], 1);
-            cost += cholesky.update_cost(columns[i]);
-        }
-    });
-    std::printf("a multiplication of an update takes %.1f times as long as one of a factorisation\n",
-                update / cost / factor);
-}
-
 void dense_and_sparse()
 {
     for (const int side : {2, 3, 4, 5, 6})
@@ -82,8 +54,8 @@ void dense_and_sparse()
                         dense);
             for (const int sweeps : {3, 10, 30, 100}) {
                 Projection sparse;
-                const double time = milliseconds(
-                    [&] { sparse = primal_dual_active_set(problem, swept(problem, sweeps), Factors::sparse); });
+                const double time =
+                    milliseconds([&] { sparse = primal_dual_active_set(problem, swept(problem, sweeps)); });
                 std::printf(" | %3d sweeps, %d rounds%s %7.3f ms", sweeps, sparse.steps,
                             sparse.complete ? "" : " (incomplete)", time);
             }
@@ -98,6 +70,5 @@ void dense_and_sparse()
 
 int main()
 {
-    price_of_updates();
     dense_and_sparse();
 }

@@ -58,7 +58,6 @@ ROOMS = {
     "verify": STAYS,
     "hold/guard": GOES,
     "hold/hold_component": GOES,
-    "hold/persistence": GOES,
     "verify/bounces": GOES,
     "verify/contact_audit": GOES,
     "verify/impact_audit": GOES,
@@ -69,8 +68,6 @@ ROOMS = {
 NO_THRESHOLDS = [
     ("core/random.hpp", "std::rotl(state_[1] * 5, 7) * 9", "xoshiro256**"),
     ("core/random.hpp", "0x1.0p-53", "53 bits as a number in [0, 1)"),
-    ("linear_algebra/block_cholesky.cpp", "18 * size", "multiplications of an update in a block"),
-    ("linear_algebra/block_pattern.cpp", "27 * (below + 1)", "multiplications of a factorisation in a block"),
     ("math/dyadic.cpp", "limb_bits = 32", "size of a limb"),
     ("math/dyadic.cpp", "mantissa_bits = 53", "format of doubles"),
     ("toi/quartic_gap.cpp", "Dyadic(0.25) * dot(a, a)", "coefficient of |a t^2 / 2|^2"),

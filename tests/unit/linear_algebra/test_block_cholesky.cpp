@@ -62,7 +62,7 @@ double residual(const BlockCholesky& factor, const Eigen::MatrixXd& matrix)
 
 }  // namespace
 
-TEST_CASE("The factor solves what a dense matrix says, and follows columns that come and go")
+TEST_CASE("The factor solves what a dense matrix says")
 {
     Random random(4);
     for (const int blocks : {1, 2, 7, 40}) {
@@ -76,13 +76,5 @@ TEST_CASE("The factor solves what a dense matrix says, and follows columns that 
         }
         CAPTURE(blocks);
         CHECK(residual(factor, matrix) < 1e-11);
-        for (std::size_t i = 0; i < sparse.columns.size(); i += 2) {
-            const Eigen::VectorXd c = dense_column(sparse.columns[i], blocks);
-            const double sign = i % 4 == 0 ? -1 : 1;
-            matrix += sign * (c * c.transpose());
-            factor.update(sparse.columns[i], sign);
-            CHECK(factor.update_cost(sparse.columns[i]) > 0);
-        }
-        CHECK(residual(factor, matrix) < 1e-9);
     }
 }

@@ -55,7 +55,7 @@ TEST_CASE("A thousand spheres are solved, whatever their masses, and again at on
             }
             CHECK(largest_difference(point, first.point) < 1e-10);
             const Projection again = project(problem, first.multipliers);
-            CHECK(again.steps <= 3);  // what rounding decides
+            CHECK(again.steps <= 4);  // what rounding decides
             CHECK(largest_difference(again.point, first.point) < 1e-10);
         }
 }

@@ -123,7 +123,49 @@ TEST_CASE("A guess, right, nearly right or wrong, changes nothing but the work")
             largest = std::max(largest, plain.multipliers[i] * normal_length2(problem.half_spaces[i], problem.w));
         CHECK(largest_difference(guessed.point, plain.point) < 1e-10 * largest);
         for (const double multiplier : guessed.multipliers) CHECK(multiplier >= 0);
-        alone += primal_dual_active_set(problem, guess, Factors::dense).complete;
+        alone += primal_dual_active_set(problem, guess).complete;
     }
     CHECK(alone > 500);  // it is not always the other solver that answers
+}
+
+TEST_CASE("An equality is its half-space and the opposite one, with a guess and without")
+{
+    Random random(31);
+    for (int trial = 0; trial < 1000; ++trial) {
+        ProjectionProblem problem = random_problem(random, 8, trial % 3 == 0 ? 1e4 : 4);
+        for (HalfSpace& h : problem.half_spaces) h.offset = 0;
+        ProjectionProblem pairs = problem;
+        std::vector<double> guess;
+        for (HalfSpace& h : problem.half_spaces) {
+            guess.push_back(random.coin() ? 1 : 0);
+            h.is_equality = random.integer(0, 2) == 0;
+            if (h.is_equality) pairs.half_spaces.push_back({h.a, h.b, -h.normal, 0});
+        }
+        const Projection expected = project(pairs);
+        for (const Guess& begin : {Guess{}, Guess{guess}}) {
+            const Projection found = project(problem, begin);
+            CAPTURE(trial, begin.has_value());
+            CHECK(largest_difference(found.point, expected.point) <= 1e-10);
+            std::vector<Vec3> made = problem.start;
+            for (std::size_t i = 0; i < problem.half_spaces.size(); ++i) {
+                const HalfSpace& h = problem.half_spaces[i];
+                if (!h.is_equality) CHECK(found.multipliers[i] >= 0);
+                push(h, problem.w, found.multipliers[i], made);
+            }
+            CHECK(largest_difference(made, found.point) <= 1e-10);
+        }
+    }
+}
+
+TEST_CASE("Half-spaces that no point is inside of are named, and those beside them are not")
+{
+    constexpr double margin = 1e-12;
+    ProjectionProblem problem{{Vec3::Zero(), Vec3::Zero()}, {1, 1}, {}, 1e-15};
+    problem.half_spaces = {{0, {}, Vec3::UnitX(), -margin},
+                           {0, 1, -Vec3::UnitX(), -margin},
+                           {1, {}, Vec3::UnitX(), 0, true},  // closes the gap between the first two
+                           {1, {}, Vec3::UnitY(), -margin}};
+    std::vector<int> bound = project(problem).bound;
+    std::sort(bound.begin(), bound.end());
+    CHECK(bound == std::vector<int>{0, 1});
 }

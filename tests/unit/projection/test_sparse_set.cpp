@@ -35,7 +35,7 @@ TEST_CASE("In piles the active set found from a few sweeps is the dense solver's
             ProjectionProblem problem = pile_problem(side, side, falling);
             for (std::size_t k = 0; k < problem.w.size(); k += 3) problem.w[k] = 0.01;
             const Projection dense = dual_active_set(problem).projection;
-            const Projection sparse = primal_dual_active_set(problem, swept(problem), Factors::sparse);
+            const Projection sparse = primal_dual_active_set(problem, swept(problem));
             CAPTURE(side, falling, sparse.steps);
             if (!sparse.complete) continue;  // then it says so
             ++found;
@@ -49,20 +49,20 @@ TEST_CASE("In piles the active set found from a few sweeps is the dense solver's
 TEST_CASE("The sparse active set minds neither doubled half-spaces nor those that contradict")
 {
     ProjectionProblem problem = pile_problem(3, 3, true);
-    const Projection once = primal_dual_active_set(problem, swept(problem), Factors::sparse);
+    const Projection once = primal_dual_active_set(problem, swept(problem));
     REQUIRE(once.complete);
     const std::size_t count = problem.half_spaces.size();
     for (std::size_t i = 0; i < count; ++i) problem.half_spaces.push_back(problem.half_spaces[i]);
     std::vector<double> guess = once.multipliers;
     guess.insert(guess.end(), once.multipliers.begin(), once.multipliers.end());
-    const Projection twice = primal_dual_active_set(problem, guess, Factors::sparse);
+    const Projection twice = primal_dual_active_set(problem, guess);
     CHECK(twice.complete);
     CHECK(largest_difference(once.point, twice.point) < 1e-9);
 
     // No point is on both sides of a gap, and none is claimed to be.
     const ProjectionProblem apart{
         {Vec3(0.5, 0, 0)}, {1}, {{0, {}, Vec3(1, 0, 0), -1}, {0, {}, Vec3(-1, 0, 0), 0}}, 1e-13};
-    CHECK_FALSE(primal_dual_active_set(apart, std::vector<double>{1, 1}, Factors::sparse).complete);
+    CHECK_FALSE(primal_dual_active_set(apart, std::vector<double>{1, 1}).complete);
 }
 
 TEST_CASE("A factor finds the shortest change that is found without one, and multipliers that make it")
@@ -86,7 +86,6 @@ TEST_CASE("A factor finds the shortest change that is found without one, and mul
             wanted[i] = normals[i].dot(done) + (contradict ? random.uniform(-1, 1) : 0);
         }
         ActiveFactor factor(vectors, normals);
-        factor.take_epsilon(1e-6);
         factor.follow(active);
         const ShortestChange with = shortest_change(normals, active, wanted, vectors, {&factor, {}});
         const ShortestChange without = shortest_change(normals, active, wanted, vectors);
