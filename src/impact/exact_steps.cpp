@@ -101,7 +101,10 @@ Numbers ExactSteps::impulses_of(const Step& step, const Numbers& rates) const
 {
     Numbers out;
     for (const int i : step.contacts) out.push_back(DoubleDouble(-step.gain) * rates[static_cast<std::size_t>(i)]);
-    solve({out.size(), products(step.contacts)}, out, 1);
+    if (out.size() == 1)  // by far the most
+        out.front() = out.front() / product(step.contacts.front(), step.contacts.front());
+    else
+        solve({out.size(), products(step.contacts)}, out, 1);
     return out;
 }
 

@@ -1,3 +1,4 @@
+#include "impact/exact_steps.hpp"
 #include "impact/operators.hpp"
 
 #include "contact/contact_problem.hpp"
@@ -202,4 +203,52 @@ TEST_CASE("Inelastic rows come together under every operator that keeps momentum
         for (const Vec3& v : few.velocities) CHECK(std::abs(v.x() + 1.0 / 3) < within);
         for (const Vec3& v : row_of_30.velocities) CHECK(std::abs(v.x() - 1.0 / 30) < within);
     }
+}
+
+TEST_CASE("Periods of steps taken at once are what they are one by one")
+{
+    struct Swept {
+        std::vector<Vec3> velocities;
+        int steps = 0;
+    };
+    // Reflects contact after contact until nothing closes.
+    const auto sweep = [](const ProjectionProblem& problem, Pace pace) {
+        constexpr int most = 4'000;
+        ExactSteps steps(problem, 1e-12 * largest_speed(problem.start), pace);
+        Swept out;
+        std::vector<int> open;
+        const int all = static_cast<int>(steps.contacts());
+        for (int i = 0, quiet = 0; quiet < all && out.steps < most; i = (i + 1) % all, ++quiet) {
+            if (!steps.closes(i)) {
+                open.push_back(i);
+                continue;
+            }
+            if (!steps.take_and_repeat({{i}, open, 2})) break;
+            open.clear();
+            quiet = -1;
+            ++out.steps;
+        }
+        out.velocities = steps.vectors();
+        return out;
+    };
+    carom::Random random(17);
+    int compared = 0, fewer = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        RandomClusters options;
+        options.most_contacts = 8;
+        options.mass_ratio = 1e6;
+        options.share_jammed = 0;
+        const ContactProblem cluster = random_cluster(random, options);
+        const ProjectionProblem problem = projection_problem(cluster);
+        const Swept slow = sweep(problem, Pace::one_by_one);
+        if (slow.steps == 4'000 || slow.steps < 40) continue;
+        const Swept quick = sweep(problem, Pace::at_once);
+        CAPTURE(trial, slow.steps, quick.steps);
+        ++compared;
+        fewer += 2 * quick.steps < slow.steps ? 1 : 0;
+        for (std::size_t i = 0; i < cluster.bodies.size(); ++i)
+            CHECK((quick.velocities[i] - slow.velocities[i]).norm() < within);
+    }
+    CHECK(compared > 20);
+    CHECK(fewer > 5);
 }
