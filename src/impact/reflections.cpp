@@ -39,6 +39,13 @@ int most_rounds(std::size_t contacts)
     return usual_rounds + usual_rounds_each * static_cast<int>(contacts);
 }
 
+/// The same of exact ones, for stiff and for elastic clusters a far one.
+int most_exact_rounds(std::size_t contacts, bool far)
+{
+    const int usual = most_rounds(contacts);
+    return far ? std::max(usual, static_cast<int>(exact_rounds / contacts)) : usual;
+}
+
 struct Rounds {
     std::vector<double> impulses;
     std::optional<std::vector<Vec3>> velocities{};  ///< where they were exact
@@ -54,7 +61,7 @@ public:
     {
     }
 
-    NormalImpact solve(bool jam_test)
+    NormalImpact solve(bool jam_test, bool elastic)
     {
         const bool exact = jammed_.size() <= most_exact, stiff = exact && is_stiff(problem_);
         NormalImpact out;
@@ -69,7 +76,7 @@ public:
         }
         if (!rounds.ended && !(stiff && jam_test)) rounds = run(most_rounds(jammed_.size()));
         if (!rounds.ended && exact && jam_test)
-            rounds = run_exactly(static_cast<int>(exact_rounds / jammed_.size()), Pace::at_once);
+            rounds = run_exactly(most_exact_rounds(jammed_.size(), stiff || elastic), Pace::at_once);
         out.impulses = std::move(rounds.impulses);
         out.velocities = std::move(rounds.velocities);
         out.rounds = rounds.rounds;
@@ -265,7 +272,7 @@ NormalImpact reflections(const ContactProblem& cluster, const ReflectionsOptions
     const double e = have_one_restitution(cluster) ? cluster.contacts.front().restitution
                                                    : blended_restitution(cluster, problem, without->point);
     NormalImpact out;
-    if (e > 0) out = Reflections(problem).solve(options.jam_test);
+    if (e > 0) out = Reflections(problem).solve(options.jam_test, e == 1);
     if (e == 1 && !out.capped) return out;
     if (e == 0) return inelastic(cluster);
     if (out.capped) return without_end(cluster, std::move(out));

@@ -46,8 +46,9 @@ inline constexpr int rounds_before_jam_test = 24;
 inline constexpr int recent_rounds = 8;
 /// Contacts [1] of a cluster that is asked as a whole. No derivation: the test is cheap up to here, see `most_asked`.
 inline constexpr std::size_t asked_as_a_whole = 100;
-/// Contacts times rounds [1] granted to every cluster whose rounds are taken exactly: some seconds. Light bodies among
-/// those of M times their mass need some 3 M^(1/2) rounds where they do not repeat: ten may have M = 1e9.
+/// Contacts times rounds [1] granted to stiff and to elastic clusters whose rounds are taken exactly: some seconds.
+/// Light bodies among those of M times their mass need some 3 M^(1/2) rounds where they do not repeat: ten may have M =
+/// 1e9.
 inline constexpr std::size_t exact_rounds = 1'000'000;
 
 // Steps in double-double (exact_steps.cpp).
