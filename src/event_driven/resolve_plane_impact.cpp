@@ -79,7 +79,7 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
         if (state.drag > 0) {
             const DampedBounces bounces = damped_bounces(state, key, f, w, gravity, law, neighbourhood);
             out.dies_out = bounces.die_out;
-            if (bounces.early > 0) rest_early(state, key, normal, w, bounces.early, change, out);
+            if (bounces.early) rest_early(state, key, normal, w, *bounces.early, change, out);
             return true;
         }
         const Bouncing bouncing{plane, make_series(state, f, plane, w, gravity, law)};

@@ -64,7 +64,7 @@ bool resolve_sphere_impact(const State& state, const Key& key, const Neighbourho
     const double closing = -normal.dot(encounter.velocity());
     const bool loses = law.restitution < 1, returns = loses && is_low_return(state, key);
     const LoneImpact lone = loses ? lone_impact(state, key, a, b, encounter, returns, neighbourhood) : LoneImpact{};
-    if (lone.early > 0) out.early_rest = {state.is_fixed(id_a) ? id_b : id_a, lone.early};
+    if (lone.early) out.early_rest = {state.is_fixed(id_a) ? id_b : id_a, *lone.early};
     if (is_coupled(state, key, law, a, b, closing, lone.rebounds, neighbourhood)) return false;
     out.dies_out = lone.dies_out;
     out.penetration = encounter.penetration();

@@ -7,6 +7,8 @@
 #include "motion/kinematics.hpp"
 #include "queue/key.hpp"
 
+#include <optional>
+
 namespace carom {
 
 struct LoneImpact {
@@ -14,7 +16,7 @@ struct LoneImpact {
     /// One of bounces that get lower and lower and end by themselves: the guard leaves them alone.
     bool dies_out = false;
     /// Time by which rest comes early at most, where a threshold ends bounces because too many are to come [time].
-    double early = 0;
+    std::optional<double> early{};
 };
 
 /// Fate of the impact `key` if it is a lone one; nothing is true of the others, which thresholds are for.

@@ -7,6 +7,7 @@
 #include "queue/key.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace carom {
 
@@ -35,8 +36,8 @@ inline bool is_low(const State& state, BodyId body, double w, double gravity, co
 struct DampedBounces {
     /// They end by themselves, and nothing else is near: the guard leaves them alone.
     bool die_out = false;
-    /// Time by which a threshold ends them early at most; 0 if none does [time].
-    double early = 0;
+    /// Time by which a threshold ends them early at most, if one does [time].
+    std::optional<double> early{};
 };
 /// \param flight of the sphere after a low bounce, which leaves with normal speed w
 DampedBounces damped_bounces(const State& state, const Key& key, const Flight& flight, double w, double gravity,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/contact.hpp"
+#include "projection/half_space.hpp"
 
 #include <carom/response.hpp>
 
@@ -17,14 +18,18 @@ struct NormalImpact {
     int rounds = 0;                ///< `sequential`, `shock`: impulses; `lcp`: steps of the solver
     bool jammed = false;           ///< `reflections`: a jammed set was found and projected
     bool capped = false;           ///< the bound on rounds was met: the impulses are the inelastic ones
-    /// `shock`: velocities after, as impulses on lower bodies went into the ground. Elsewhere those that the impulses
-    /// give.
+    /// Velocities after, where impulses do not give them: those of `shock` on lower bodies go into the ground, and of
+    /// stiff clusters they cancel. Elsewhere those that the impulses give.
     std::optional<std::vector<Vec3>> velocities{};
 };
 
 /// The response with all contacts inelastic: the velocities nearest to those before, in the metric of kinetic energy,
 /// that close nothing. Multipliers are the impulses; they need not be unique, the velocities are.
 NormalImpact inelastic(const ContactProblem& cluster);
+/// The same for an operator that met its bound, whose rounds these are.
+NormalImpact without_end(const ContactProblem& cluster, NormalImpact rounds);
+/// The projection that it is, in stiff problems to the rounding of velocities.
+Projection nearest(const ProjectionProblem& problem);
 
 struct ReflectionsOptions {
     bool jam_test = true;  ///< off, for comparison: jammed clusters then meet the bound on rounds

@@ -12,20 +12,20 @@
 /// never gained. It ends: where unit normals a_i allow w, |w| = 1, with a_i.w >= delta > 0, each round raises w.u by
 /// 2 delta eps at least while it is bounded by |u|; where they do not, that set is jammed: its bodies cannot move
 /// apart, nor rebound from each other, and it stays closed. A light body between two of M times its mass takes some
-/// 3 M^(1/2) rounds: where two contacts close in turn, and no other could, these are taken at once (turns.hpp). Rounds
-/// are bounded all the same, by 100 + 10 min(m, 100), where all e = 1 by a million / m; beyond, the response is the
-/// inelastic one.
+/// 3 M^(1/2) rounds: rounds that repeat are taken at once (exact_steps.hpp). They are bounded all the same, by 100 + 10
+/// m and a million / m; beyond, the response is the inelastic one.
 #include "impact/operators.hpp"
 
 #include "contact/contact_problem.hpp"
+#include "impact/exact_steps.hpp"
 #include "impact/jam.hpp"
 #include "impact/tolerances.hpp"
-#include "impact/turns.hpp"
 
 #include "projection/project.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -33,15 +33,22 @@ namespace carom {
 
 namespace {
 
-/// Bound of the rounds, for elastic clusters a far one.
-int most_rounds(std::size_t contacts, bool elastic)
+/// Bound of the rounds.
+int most_rounds(std::size_t contacts)
 {
-    const int usual = usual_rounds + usual_rounds_each * static_cast<int>(std::min(contacts, hardest_cluster));
-    return elastic ? std::max(usual, static_cast<int>(elastic_rounds / contacts)) : usual;
+    return usual_rounds + usual_rounds_each * static_cast<int>(contacts);
+}
+
+/// The same of exact ones, for stiff and for elastic clusters a far one.
+int most_exact_rounds(std::size_t contacts, bool far)
+{
+    const int usual = most_rounds(contacts);
+    return far ? std::max(usual, static_cast<int>(exact_rounds / contacts)) : usual;
 }
 
 struct Rounds {
     std::vector<double> impulses;
+    std::optional<std::vector<Vec3>> velocities{};  ///< where they were exact
     int rounds = 0;
     bool ended = false;
     std::vector<char> recent;  ///< contacts with an impulse in the last rounds
@@ -56,41 +63,44 @@ public:
 
     NormalImpact solve(bool jam_test, bool elastic)
     {
+        const bool exact = jammed_.size() <= most_exact, stiff = exact && is_stiff(problem_);
         NormalImpact out;
         Rounds rounds;
         if (jam_test) {
-            rounds = run(rounds_before_jam_test);
+            rounds = run(rounds_before_jam_test, stiff, Pace::one_by_one);
             // Every test but the last marks a contact; those that are marked already may hold others closed.
             while (!rounds.ended && mark_jammed(problem_, asked(rounds.recent), jammed_)) {
                 out.jammed = true;
-                rounds = run(rounds_before_jam_test);
+                rounds = run(rounds_before_jam_test, stiff, Pace::one_by_one);
             }
         }
-        if (!rounds.ended) rounds = run(most_rounds(jammed_.size(), elastic));
+        if (!rounds.ended && !(stiff && jam_test)) rounds = run(most_rounds(jammed_.size()));
+        if (!rounds.ended && exact && jam_test)
+            rounds = run_exactly(most_exact_rounds(jammed_.size(), stiff || elastic), Pace::at_once);
         out.impulses = std::move(rounds.impulses);
+        out.velocities = std::move(rounds.velocities);
         out.rounds = rounds.rounds;
         out.capped = !rounds.ended;
         return out;
     }
 
 private:
+    Rounds run(int most, bool exact, Pace pace) const { return exact ? run_exactly(most, pace) : run(most); }
+
     /// Rounds u <- 2 P_V(u) - u until V is empty. A jammed set D is in every V and stays closed: u <- P_D(u) follows
     /// each round.
-    Rounds run(int most)
+    Rounds run(int most) const
     {
         ProjectionProblem at = problem_;
-        Rounds out{std::vector<double>(jammed_.size(), 0.0), 0, false, std::vector<char>(jammed_.size(), 0)};
+        Rounds out = none();
         close_jammed(at, out.impulses);
-        std::array<std::vector<int>, 2> before;  // what closed in the last round and in the one before it
         for (; out.rounds < most; ++out.rounds) {
-            const std::vector<int> closing = closing_contacts(at);
+            const std::vector<int> closing =
+                closing_contacts([&](std::size_t i) { return slack(at.half_spaces[i], at.start) < -eps_; });
             if (closing.empty()) {
                 out.ended = true;
                 break;
             }
-            if (closing == before[1] && closing.size() == 1 && before[0].size() == 1)
-                take_turns(closing.front(), before[0].front(), at, out.impulses);
-            before[1] = std::exchange(before[0], closing);
             const std::vector<double> multipliers = project(at, closing).multipliers;
             for (std::size_t i = 0; i < multipliers.size(); ++i) {
                 if (multipliers[i] == 0) continue;
@@ -103,16 +113,76 @@ private:
         return out;
     }
 
-    /// Takes many rounds of two contacts at once, if that many are to come. The next of `first` is due then.
-    void take_turns(int first, int second, ProjectionProblem& at, std::vector<double>& impulses) const
+    /// The same in double-double, those that repeat at once.
+    Rounds run_exactly(int most, Pace pace) const
     {
-        const std::optional<Turns> many = turns(at, first, second, eps_);
-        if (!many) return;
-        for (const auto& [contact, multiplier] : {std::pair{first, many->first}, std::pair{second, many->second}}) {
-            const auto i = static_cast<std::size_t>(contact);
-            impulses[i] += multiplier;
-            push(at.half_spaces[i], at.w, multiplier, at.start);
+        ExactSteps steps(problem_, eps_, pace);
+        Rounds out = none();
+        Pushed pushed;
+        bool ends = close_jammed(steps, pushed);
+        for (; out.rounds < most && ends; ++out.rounds) {
+            const std::vector<int> closing =
+                closing_contacts([&](std::size_t i) { return steps.closes(static_cast<int>(i)); });
+            if (closing.empty()) {
+                out.ended = true;
+                break;
+            }
+            Step step{closing, {}, 2};
+            for (std::size_t i = 0, next = 0; i < jammed_.size(); ++i) {
+                if (next < closing.size() && closing[next] == static_cast<int>(i))
+                    ++next;
+                else
+                    step.open.push_back(static_cast<int>(i));
+            }
+            if (out.rounds >= most - recent_rounds)
+                for (const int i : closing) out.recent[static_cast<std::size_t>(i)] = 1;
+            ends = take(steps, std::move(step), pushed) && close_jammed(steps, pushed);
         }
+        out.impulses = steps.impulses();
+        out.velocities = steps.vectors();
+        return out;
+    }
+
+    Rounds none() const
+    {
+        return {std::vector<double>(jammed_.size(), 0.0), {}, 0, false, std::vector<char>(jammed_.size(), 0)};
+    }
+
+    /// Pushed contacts by those that close, as they were last.
+    using Pushed = std::map<std::vector<int>, std::vector<int>>;
+
+    /// Takes a step, of those of its contacts that the projection on all of them pushes. \returns whether that ever
+    /// ends
+    bool take(ExactSteps& steps, Step step, Pushed& pushed) const
+    {
+        if (step.contacts.size() == 1) return steps.take_and_repeat(step);
+        const std::vector<int> closing = step.contacts;
+        const auto split = [&](const std::vector<int>& contacts) {
+            step.contacts = contacts;
+            step.idle.clear();
+            std::copy_if(closing.begin(), closing.end(), std::back_inserter(step.idle), [&](int i) {
+                return !jammed_[static_cast<std::size_t>(i)] &&
+                       !std::binary_search(contacts.begin(), contacts.end(), i);
+            });
+        };
+        if (const auto before = pushed.find(closing); before != pushed.end()) {
+            split(before->second);
+            if (steps.is_projection(step)) return steps.take_and_repeat(step);
+        }
+        ProjectionProblem at = problem_;
+        at.start = steps.vectors();
+        const std::vector<double> multipliers = project(at, closing).multipliers;
+        std::vector<int> contacts;
+        std::copy_if(closing.begin(), closing.end(), std::back_inserter(contacts),
+                     [&](int i) { return multipliers[static_cast<std::size_t>(i)] > 0; });
+        if (contacts.empty()) return true;
+        split(contacts);
+        if (!steps.is_projection(step)) {
+            for (const int i : contacts) steps.push(i, step.gain * multipliers[static_cast<std::size_t>(i)]);
+            return true;
+        }
+        pushed[closing] = contacts;
+        return steps.take_and_repeat(step);
     }
 
     std::vector<int> asked(const std::vector<char>& recent) const
@@ -123,12 +193,12 @@ private:
         return out;
     }
 
-    std::vector<int> closing_contacts(const ProjectionProblem& at) const
+    std::vector<int> closing_contacts(const auto& is_closing) const
     {
         std::vector<int> out;
         bool any = false;
         for (std::size_t i = 0; i < jammed_.size(); ++i) {
-            const bool closes = slack(at.half_spaces[i], at.start) < -eps_;
+            const bool closes = is_closing(i);
             if (closes || jammed_[i]) out.push_back(static_cast<int>(i));
             any = any || (closes && !jammed_[i]);
         }
@@ -136,11 +206,25 @@ private:
         return out;
     }
 
+    std::vector<int> jammed() const
+    {
+        std::vector<int> out;
+        for (std::size_t i = 0; i < jammed_.size(); ++i)
+            if (jammed_[i]) out.push_back(static_cast<int>(i));
+        return out;
+    }
+
+    /// \returns whether that ever ends
+    bool close_jammed(ExactSteps& steps, Pushed& pushed) const
+    {
+        const std::vector<int> set = jammed();
+        if (set.empty()) return true;
+        return take(steps, {set, {}, 1, {}, true}, pushed);
+    }
+
     void close_jammed(ProjectionProblem& at, std::vector<double>& impulses) const
     {
-        std::vector<int> set;
-        for (std::size_t i = 0; i < jammed_.size(); ++i)
-            if (jammed_[i]) set.push_back(static_cast<int>(i));
+        const std::vector<int> set = jammed();
         if (set.empty()) return;
         const Projection closed = project(at, set);
         for (const int i : set)
@@ -184,20 +268,19 @@ NormalImpact reflections(const ContactProblem& cluster, const ReflectionsOptions
 {
     const ProjectionProblem problem = projection_problem(cluster);
     std::optional<Projection> without;
-    if (!have_one_restitution(cluster) || cluster.contacts.front().restitution < 1) without = project(problem);
+    if (!have_one_restitution(cluster) || cluster.contacts.front().restitution < 1) without = nearest(problem);
     const double e = have_one_restitution(cluster) ? cluster.contacts.front().restitution
                                                    : blended_restitution(cluster, problem, without->point);
     NormalImpact out;
-    out.rounds = 1;
     if (e > 0) out = Reflections(problem).solve(options.jam_test, e == 1);
     if (e == 1 && !out.capped) return out;
-    if (!without) without = project(problem);
-    if (e == 0 || out.capped) {
-        out.impulses = std::move(without->multipliers);
-        return out;
-    }
+    if (e == 0) return inelastic(cluster);
+    if (out.capped) return without_end(cluster, std::move(out));
     for (std::size_t i = 0; i < out.impulses.size(); ++i)
         out.impulses[i] = e * out.impulses[i] + (1 - e) * without->multipliers[i];
+    if (out.velocities)
+        for (std::size_t k = 0; k < out.velocities->size(); ++k)
+            (*out.velocities)[k] = e * (*out.velocities)[k] + (1 - e) * without->point[k];
     return out;
 }
 

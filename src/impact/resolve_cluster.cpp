@@ -8,7 +8,6 @@
 #include "impact/tolerances.hpp"
 
 #include "core/expect.hpp"
-#include "projection/project.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -38,9 +37,6 @@ ClusterImpact single_contact(const ContactProblem& cluster)
 
 NormalImpact normal_impact(const ContactProblem& cluster, const ImpactOptions& options)
 {
-    if (std::all_of(cluster.contacts.begin(), cluster.contacts.end(),
-                    [](const Contact& contact) { return contact.restitution == 0; }))
-        return inelastic(cluster);
     switch (options.impact_operator) {
         case ImpactOperator::sequential:
             return sequential(cluster);
@@ -72,7 +68,7 @@ void open_all(const ContactProblem& cluster, ClusterImpact& out)
     ProjectionProblem rest = projection_problem(cluster);
     rest.start = out.velocities;
     rest.tolerance = std::max(rest.tolerance, projection_tolerance * largest_speed(rest.start));
-    Projection last = project(rest);
+    Projection last = nearest(rest);
     if (last.steps == 0) return;
     for (std::size_t i = 0; i < last.multipliers.size(); ++i)
         out.impulses[i] += last.multipliers[i] * cluster.contacts[i].normal;

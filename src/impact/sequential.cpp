@@ -4,11 +4,13 @@
 /// detection and response for computer animation, SIGGRAPH 1988, https://doi.org/10.1145/54852.378528.
 ///
 /// Guarantee: impulses push, momentum is kept, energy is never gained, and where it ends nothing closes. The order of
-/// the contacts decides the outcome. It need not end (a pinched sphere; inelastic collapse): after 10000 + 100 m
-/// impulses, or when all speeds have vanished against those at the start, the response is the inelastic one.
+/// the contacts decides the outcome, with e = 0 too. Impulses that accumulate (inelastic collapse) have a limit, which
+/// is the outcome; of two contacts that close in turn for ever it is that of e = 0. Elastic impulses need not end (a
+/// pinched sphere): then, and after 10000 + 100 m others, the response is the inelastic one.
 #include "impact/operators.hpp"
 
 #include "contact/contact_problem.hpp"
+#include "impact/exact_steps.hpp"
 #include "impact/pair_sweeps.hpp"
 
 #include <numeric>
@@ -24,11 +26,12 @@ NormalImpact sequential(const ContactProblem& cluster)
     for (const ContactBody& body : cluster.bodies) inverse_masses.push_back(body.inverse_mass);
 
     PairSweeps sweeps{velocities_before(cluster), std::vector<double>(count, 0.0), 0};
-    const bool ended = sweep_pairs(cluster, contacts, inverse_masses, most_impulses(count), sweeps);
     NormalImpact out;
-    out.impulses = ended ? std::move(sweeps.impulses) : inelastic(cluster).impulses;
+    out.capped = !sweep_pairs(cluster, contacts, inverse_masses, sweeps);
     out.rounds = sweeps.count;
-    out.capped = !ended;
+    if (out.capped) return without_end(cluster, std::move(out));
+    out.impulses = std::move(sweeps.impulses);
+    if (is_stiff(projection_problem(cluster))) out.velocities = std::move(sweeps.velocities);
     return out;
 }
 

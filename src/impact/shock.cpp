@@ -7,8 +7,8 @@
 /// level, and each level runs the pair law in the order of its contacts until nothing closes.
 ///
 /// Guarantee: impulses push, and where it ends nothing closes. Momentum given to a lower body goes into the ground:
-/// neither momentum nor energy is kept (a lower body that moves up lifts everything above it with its speed). It need
-/// not end within a level; after 10000 + 100 m impulses the response is the inelastic one.
+/// neither momentum nor energy is kept (a lower body that moves up lifts everything above it with its speed). Each
+/// level ends as `sequential` does, or not.
 #include "impact/operators.hpp"
 
 #include "contact/contact_problem.hpp"
@@ -60,13 +60,14 @@ NormalImpact shock(const ContactProblem& cluster)
     PairSweeps sweeps{velocities_before(cluster), std::vector<double>(count, 0.0), 0};
     NormalImpact out;
     for (std::size_t now = 1; now < contacts.size() && !out.capped; ++now) {
-        out.capped = !sweep_pairs(cluster, contacts[now], inverse_masses, most_impulses(count), sweeps);
+        out.capped = !sweep_pairs(cluster, contacts[now], inverse_masses, sweeps);
         for (std::size_t k = 0; k < level.size(); ++k)
             if (level[k] == static_cast<int>(now)) inverse_masses[k] = 0;
     }
     out.rounds = sweeps.count;
-    out.impulses = out.capped ? inelastic(cluster).impulses : std::move(sweeps.impulses);
-    if (!out.capped) out.velocities = std::move(sweeps.velocities);
+    if (out.capped) return without_end(cluster, std::move(out));
+    out.impulses = std::move(sweeps.impulses);
+    out.velocities = std::move(sweeps.velocities);
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include "projection/tolerances.hpp"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace carom {
 
@@ -45,16 +46,40 @@ inline constexpr int rounds_before_jam_test = 24;
 inline constexpr int recent_rounds = 8;
 /// Contacts [1] of a cluster that is asked as a whole. No derivation: the test is cheap up to here, see `most_asked`.
 inline constexpr std::size_t asked_as_a_whole = 100;
-/// Contacts [1] beyond which a cluster is granted no more rounds: larger ones are no harder, but their rounds cost
-/// more. No derivation.
-inline constexpr std::size_t hardest_cluster = 100;
-/// Contacts times rounds [1] of a cluster where all e = 1, which has nothing to fall back on that keeps its energy. Light
-/// bodies among those of M times their mass need some 3 M^(1/2) rounds, if more than two contacts close in turn: ten may
-/// have M = 1e9.
-inline constexpr std::size_t elastic_rounds = 1'000'000;
-/// Pairs of rounds [1] of two contacts from which on they are taken at once: a jump takes the time of some ten rounds.
-/// Clusters of bodies of like mass have no such pairs.
-inline constexpr double fewest_turns = 8;
+/// Contacts times rounds [1] granted to stiff and to elastic clusters whose rounds are taken exactly: some seconds.
+/// Light bodies among those of M times their mass need some 3 M^(1/2) rounds where they do not repeat: ten may have M =
+/// 1e9.
+inline constexpr std::size_t exact_rounds = 1'000'000;
+
+// Steps in double-double (exact_steps.cpp).
+
+/// Ratio of masses [1] from which on steps are exact: rounding of impulses, u, shows in the speeds of the lightest as
+/// u times the ratio, `closing_tolerance`.
+inline constexpr double stiff_mass_ratio = 1e4;
+/// Contacts [1] up to which steps are exact: what they cost grows with the cube of those that close at once. No
+/// derivation.
+inline constexpr std::size_t most_exact = 100;
+/// Steps [1] of a period at most: one for each of its contacts in `sequential`, see `most_repeated`.
+inline constexpr std::size_t longest_period = 16;
+/// Contacts [1] of a period at most: its powers cost the cube. No derivation.
+inline constexpr std::size_t most_repeated = 16;
+/// Periods [1] at once that are worth the search for them, which takes the time of some ten.
+inline constexpr std::int64_t fewest_repeats = 8;
+/// Steps [1] at most until a period is tried again after fewer. No derivation.
+inline constexpr std::int64_t longest_wait = 256;
+/// Doublings [1] of a period at most, one more than `endless_repeats` has.
+inline constexpr std::size_t most_doublings = 49;
+/// Periods [1] of those that are endless. Two contacts that stick, e = 0, come nearer by 2/M each time, and have 1e-12
+/// left after 14 M of them; 2^48 are 20 times that at `largest_mass_ratio`.
+inline constexpr std::int64_t endless_repeats = std::int64_t{1} << (most_doublings - 1);
+/// Differences [1] that are known of what decides on steps: the room that a jump of N periods needs goes with this
+/// power of N. Measured: with 6 a light ball between heavy ones, M = 1e6, takes 40 % more instructions.
+inline constexpr int known_differences = 3;
+/// Part [N^2 times the largest second difference] by which numbers stray from the line between the first and the N-th:
+/// at most k (N - k) / 2, the largest for k = N/2.
+inline constexpr double second_difference_strays = 1.0 / 8;
+/// Jumps [1] in a row. No derivation: a bound of the loop.
+inline constexpr int most_jumps = 256;
 
 // Rounds of reflections and jacobi.
 

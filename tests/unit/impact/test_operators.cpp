@@ -57,7 +57,7 @@ TEST_CASE("Three balls collapse below e = 7 - 4 sqrt 3, and above it take the kn
     }
     for (const double e : {0.0717, 0.05, 0.01}) {
         CAPTURE(e);
-        CHECK(sequential(row({1, 1, 1}, {1, 0, -1}, e)).capped);
+        CHECK_FALSE(sequential(row({1, 1, 1}, {1, 0, -1}, e)).capped);
         check_row(resolve(row({1, 1, 1}, {1, 0, -1}, e), ImpactOperator::sequential), {0, 0, 0});
     }
 }
