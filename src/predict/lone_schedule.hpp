@@ -40,8 +40,9 @@ public:
     void flight_changed(const State& state, BodyId body, const EpochTime&, Counts& counts)
     {
         next_.key = {};
-        offer_planes<PlainKinematics<true>>(state, body, counts, next_.key.time,
-                                            [&](const Key& key, bool) { next_.key = std::min(next_.key, key); });
+        offer_planes<PlainKinematics<true>>(
+            state, body, counts, next_.key.time, [&](const Key& key, bool) { next_.key = std::min(next_.key, key); },
+            [](int) { return false; });
     }
 
     void flights_changed(const State& state, std::span<const Change> changes, const EpochTime& now, Counts& counts)
@@ -69,6 +70,7 @@ public:
     bool refine(const State&, const Next&, Counts&) const { return false; }
     void cross(const State&, const Key&, Counts&) {}
     std::span<const BodyId> neighbours(BodyId) const { return {}; }
+    bool is_alone(const State&, BodyId, Partner, const EpochTime&) const { return false; }
 
 private:
     struct Wall {

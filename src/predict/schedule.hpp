@@ -6,6 +6,7 @@
 
 #include "predict/broad_phase.hpp"
 #include "predict/first_contact.hpp"
+#include "predict/tracks.hpp"
 #include "queue/event_queue.hpp"
 #include "toi/damped_plane.hpp"
 
@@ -26,12 +27,14 @@ public:
     /// \post every body has been examined
     Schedule(const State& state, Counts& counts)
         : broad_(make_broad_phase<BroadPhase>(state)),
+          tracks_(state),
           queue_(static_cast<std::size_t>(state.count()) * (has_cells ? 2 : 1)),
           found_(static_cast<std::size_t>(state.count())),
           predictions_(static_cast<std::size_t>(state.count())),
           runner_up_(Kinematics::is_certified ? predictions_.size() : 0, never)
     {
-        for (BodyId i = 0; i < state.count(); ++i) flight_changed(state, i, {}, counts);
+        for (const Plane& plane : state.scene.planes) planes_.emplace_back(plane, tracks_.origin());
+        for (BodyId i = 0; i < state.count(); ++i) predict(state, i, {}, counts);
     }
 
     Next next() const { return {queue_.first(), queue_.key(queue_.first())}; }
@@ -57,7 +60,7 @@ public:
             Key exact = next.key;
             exact.time = Kinematics::exact_time(state, exact.a, exact.b);
             if (runner_up_[next.slot] < exact.time) {
-                examine<true>(state, static_cast<BodyId>(next.slot), counts);
+                examine<true>(state, static_cast<BodyId>(next.slot), next.key.time, counts);
             } else {
                 prediction.rough = false;
                 queue_.set(next.slot, exact);
@@ -70,23 +73,16 @@ public:
     void predict_again(const State& state, const Next& next, Counts& counts)
     {
         ++counts.stale;
-        examine(state, static_cast<BodyId>(next.slot), counts);
+        examine(state, static_cast<BodyId>(next.slot), next.key.time, counts);
     }
 
-    /// Predicts a body's next contact and its next cell.
-    void flight_changed(const State& state, BodyId body, const EpochTime& now, Counts& counts)
-    {
-        examine(state, body, counts);
-        watch_cell(state, body, now, counts);
-    }
-
-    /// The same for many at once: each pair among them is examined once. \param changes bodies ascending
+    /// Predicts the next contacts and the next cells of bodies whose flights have just changed, each pair among them
+    /// once. \param changes bodies ascending
     void flights_changed(const State& state, std::span<const Change> changes, const EpochTime& now, Counts& counts)
     {
-        for (std::size_t i = 0; i < changes.size(); ++i) {
-            examine(state, changes[i].body, counts, changes.first(i));
-            watch_cell(state, changes[i].body, now, counts);
-        }
+        for (const Change& change : changes) tracks_.follow(state, change.body, now);
+        for (std::size_t i = 0; i < changes.size(); ++i)
+            predict(state, changes[i].body, now, counts, {changes.first(i), changes.subspan(i + 1)});
     }
 
     /// Carries out a cell crossing: new neighbours may come before the contact known so far.
@@ -99,8 +95,11 @@ public:
 
             const auto slot = static_cast<std::size_t>(crossing.a);
             Best best{queue_.key(slot), predictions_[slot], Kinematics::is_certified ? runner_up_[slot] : never};
+            Survey survey(state, tracks_, crossing.a, crossing.time);
+            candidates_.clear();
             broad_.new_neighbours(crossing.a, axis, direction,
-                                  [&](BodyId other) { offer<false>(state, crossing.a, other, best, counts); });
+                                  [&](BodyId other) { look_at(state, survey, other, counts); });
+            offer_candidates<false>(state, survey, best, counts);
             keep(slot, best);
             watch_cell(state, crossing.a, crossing.time, counts);
         }
@@ -114,8 +113,26 @@ public:
         return {found_.data(), count};
     }
 
+    /// See Neighbourhood.
+    [[gnu::flatten]] bool is_alone(const State& state, BodyId body, Partner partner, const EpochTime& now) const
+    {
+        if constexpr (!has_tracks) return false;
+        const Survey survey(state, tracks_, body, now);
+        if (!survey.own.is_parabola) return false;
+        for (std::size_t p = 0; p < planes_.size(); ++p)
+            if (partner != Partner::plane(static_cast<int>(p)) && !planes_[p].is_out_of_reach(state, survey.own, 0))
+                return false;
+        bool alone = true;
+        broad_.neighbours(body, [&](BodyId other) {
+            alone = alone &&
+                    (are_apart(state, survey.own, tracks_[other], survey.age) || partner == Partner::sphere(other));
+        });
+        return alone;
+    }
+
 private:
     static constexpr bool has_cells = BroadPhase::has_cells;
+    static constexpr bool has_tracks = !Kinematics::has_drag;
 
     /// The prediction of a slot's event, beside its key.
     struct Prediction {
@@ -139,24 +156,116 @@ private:
         }
     };
 
-    /// Finds the earliest event of a body. \param asked ascending: bodies examined just before, whose slots have their
-    /// contacts with this one
+    /// A body that looks for its next contact.
+    struct Survey {
+        Survey(const State& state, const Tracks& tracks, BodyId its_body, const EpochTime& its_now)
+            : body(its_body),
+              now(its_now),
+              age(tracks.age(state.frame, its_now)),
+              rounding(wait_rounding *
+                       (state.frame.epoch_length + state.frame.between(state.flight(its_body).start, its_now))),
+              own(tracks.at(state, its_body, age))
+        {
+        }
+        /// Time from now after which contacts are certainly later than that [time].
+        double up_to(const State& state, const EpochTime& time) const
+        {
+            const double left = state.frame.between(now, time);
+            return left + (wait_rounding * std::abs(left) + rounding);
+        }
+
+        const BodyId body;
+        const EpochTime now;
+        const double age;       ///< of the tracks [time]
+        const double rounding;  ///< of times of contact [time]
+        const Track own;        ///< now
+    };
+    /// A contact that may come, and the time before which it does not.
+    struct Candidate {
+        double soonest;  ///< from now [time]
+        BodyId other;
+    };
+
+    /// Others whose flights changed with that of a body, ascending.
+    struct Together {
+        std::span<const Change> asked{};    ///< examined just before: their slots have their contacts with the body
+        std::span<const Change> waiting{};  ///< not yet examined: their slots have nothing to say
+
+        static bool contains(std::span<const Change> changes, BodyId body)
+        {
+            const auto at = std::lower_bound(changes.begin(), changes.end(), body,
+                                             [](const Change& c, BodyId wanted) { return c.body < wanted; });
+            return at != changes.end() && at->body == body;
+        }
+    };
+
+    void predict(const State& state, BodyId body, const EpochTime& now, Counts& counts, const Together& together = {})
+    {
+        examine(state, body, now, counts, together);
+        watch_cell(state, body, now, counts);
+    }
+
+    /// Finds the earliest event of a body.
     template <bool exact = false>
-    [[gnu::flatten]] void examine(const State& state, BodyId body, Counts& counts, std::span<const Change> asked = {})
+    [[gnu::flatten]] void examine(const State& state, BodyId body, const EpochTime& now, Counts& counts,
+                                  const Together& together = {})
     {
         Best best;
         if (!state.is_fixed(body)) {  // a fixed body leaves the asking to the others
-            offer_planes<Kinematics>(state, body, counts, best.key.time,
-                                     [&](const Key& key, bool rough) { take<exact>(state, key, 0, rough, best); });
-            const auto was_asked = [&](BodyId other) {
-                const auto at = std::lower_bound(asked.begin(), asked.end(), other,
-                                                 [](const Change& c, BodyId wanted) { return c.body < wanted; });
-                return at != asked.end() && at->body == other;
-            };
-            for (const BodyId other : neighbours(body))
-                if (asked.empty() || !was_asked(other)) offer<exact>(state, body, other, best, counts);
+            const Survey survey(state, tracks_, body, now);
+            candidates_.clear();
+            broad_.neighbours(body, [&](BodyId other) { look_at(state, survey, other, counts, together); });
+            offer_candidates<exact>(state, survey, best, counts);
+            const double time = survey.up_to(state, limit(best));
+            offer_planes<Kinematics>(
+                state, body, counts, best.key.time,
+                [&](const Key& key, bool rough) { take<exact>(state, key, 0, rough, best); },
+                [&](int p) {
+                    return has_tracks && survey.own.is_parabola &&
+                           planes_[static_cast<std::size_t>(p)].is_out_of_reach(state, survey.own, time);
+                });
         }
         keep(static_cast<std::size_t>(body), best);
+    }
+
+    /// The time after which nothing changes the best event.
+    static const EpochTime& limit(const Best& best)
+    {
+        return Kinematics::is_certified ? best.runner_up : best.key.time;
+    }
+
+    /// Makes a candidate of a neighbour, unless its contact with the body certainly never comes, or not before the
+    /// neighbour's own next event: then it is found when that one comes, for the neighbour is examined again.
+    void look_at(const State& state, const Survey& survey, BodyId other, Counts& counts, const Together& together = {})
+    {
+        ++counts.pair_tests;
+        double soonest = 0;
+        if constexpr (has_tracks) {
+            const Track& its = tracks_[other];
+            if (survey.own.is_parabola && its.is_parabola && survey.own.acceleration == its.acceleration) {
+                soonest = soonest_contact<Kinematics::has_gravity>(tracks_[survey.body], its, survey.age,
+                                                                   tracks_.least_square());
+                if (soonest == std::numeric_limits<double>::infinity()) return;
+                if constexpr (!Kinematics::is_certified)
+                    if (soonest > survey.up_to(state, queue_.key(static_cast<std::size_t>(other)).time) &&
+                        !Together::contains(together.waiting, other))
+                        return;
+            }
+        }
+        if (!Together::contains(together.asked, other)) candidates_.push_back({soonest, other});
+    }
+
+    /// Asks for the contacts of candidates, soonest first, until no other can come before the best event.
+    template <bool exact>
+    void offer_candidates(const State& state, const Survey& survey, Best& best, Counts& counts)
+    {
+        for (auto rest = candidates_.begin(); rest != candidates_.end(); ++rest) {
+            std::iter_swap(rest, std::min_element(rest, candidates_.end(), [](const Candidate& a, const Candidate& b) {
+                               return a.soonest < b.soonest;
+                           }));
+            if (rest->soonest > survey.up_to(state, limit(best))) return;
+            offer<exact>(state, survey.body, rest->other, best, counts);
+        }
     }
 
     void keep(std::size_t slot, const Best& best)
@@ -179,7 +288,6 @@ private:
     void offer(const State& state, BodyId body, BodyId other, Best& best, Counts& counts) const
     {
         const BodyId a = std::min(body, other), b = std::max(body, other);
-        ++counts.pair_tests;
         const ContactTime contact = Kinematics::pair_time(state, a, b, best.key.time);
         if (!contact.comes) return;
         ++counts.root_solves;
@@ -232,6 +340,9 @@ private:
     }
 
     BroadPhase broad_;
+    Tracks tracks_;
+    std::vector<TrackPlane> planes_;
+    std::vector<Candidate> candidates_;
     Queue queue_;                          ///< slot i: contact of body i; slot count + i: its cell crossing
     std::vector<BodyId> found_;            ///< room for all bodies
     std::vector<Prediction> predictions_;  ///< by body
