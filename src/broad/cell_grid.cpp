@@ -9,15 +9,16 @@ namespace carom {
 
 namespace {
 
-/// The next number with a mantissa of few bits, so that its multiples are exact doubles.
+/// The next number with a mantissa of few bits, so that its multiples are exact
+/// doubles.
 double round_up_to_few_bits(double x)
 {
     const double unit = power_of_two_below(x) / cell_size_parts;
     return std::ceil(x / unit) * unit;
 }
 
-/// A part of the mean spacing where spheres are sparse, and never smaller than the reach. (Only the cost depends on it,
-/// so a libm's cbrt does no harm.)
+/// A part of the mean spacing where spheres are sparse, and never smaller than
+/// the reach. (Only the cost depends on it, so a libm's cbrt does no harm.)
 double choose_cell_size(const Vec3& extent, std::size_t count, double reach)
 {
     const double volume = std::max(extent[0], reach) * std::max(extent[1], reach) * std::max(extent[2], reach);
@@ -39,7 +40,8 @@ CellGrid::CellGrid(const Frame& frame, const std::vector<Place>& places, double 
     const Vec3 extent = high - low;
     cell_size_ = choose_cell_size(extent, places.size(), reach);
 
-    // As many cells along each axis as the spheres fill, but no more entries than they deserve.
+    // As many cells along each axis as the spheres fill, but no more entries than
+    // they deserve.
     std::array<int, 3> bits{};
     for (int k = 0; k < 3; ++k)
         for (bits[k] = least_bits_an_axis;
@@ -58,11 +60,24 @@ CellGrid::CellGrid(const Frame& frame, const std::vector<Place>& places, double 
     first_.assign(std::size_t{1} << shift, no_body);
 
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const Vec3 p = position_of(frame, places[i]);
-        for (int k = 0; k < 3; ++k)
-            cells_[i][k] = static_cast<std::int64_t>(std::floor(std::clamp(p[k] / cell_size_, -furthest, furthest)));
+        cells_[i] = cell_of(position_of(frame, places[i]));
         file(static_cast<BodyId>(i));
     }
+}
+
+Cell CellGrid::cell_of(const Vec3& position) const
+{
+    Cell cell;
+    for (int k = 0; k < 3; ++k)
+        cell[k] = static_cast<std::int64_t>(std::floor(std::clamp(position[k] / cell_size_, -furthest, furthest)));
+    return cell;
+}
+
+void CellGrid::file_at(BodyId body, const Vec3& position)
+{
+    unfile(body);
+    cells_[static_cast<std::size_t>(body)] = cell_of(position);
+    file(body);
 }
 
 void CellGrid::file(BodyId body)

@@ -43,7 +43,7 @@ public:
             if (next.key.time > end_) break;
             if (status = look(next.key.time); status != Status::reached_end) break;
             if (next.key.kind == Scheduled::cell_crossing)
-                schedule_.cross(state_, next.key, ledger_.out.counts);
+                schedule_.leave(state_, next.key, ledger_.out.counts);
             else if (schedule_.is_stale(state_, next))
                 schedule_.predict_again(state_, next, ledger_.out.counts);
             else if (!schedule_.refine(state_, next, ledger_.out.counts))

@@ -1,7 +1,9 @@
 /// \file
-/// Tracks: a quick look at bodies, in 64 bytes each. A track is a cache of a body's flight, carried to a moment that
-/// all tracks share; nothing accumulates in it, and no event takes place at a time that it tells. It only says which
-/// contacts certainly do not come in time, so that few are left for the exact kernel.
+/// Tracks: a quick look at bodies, in 64 bytes each. A track is a cache of a
+/// body's flight, carried to a moment that all tracks share; nothing
+/// accumulates in it, and no event takes place at a time that it tells. It only
+/// says which contacts certainly do not come in time, so that few are left for
+/// the exact kernel.
 #pragma once
 
 #include "motion/state.hpp"
@@ -9,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace carom {
@@ -16,11 +19,19 @@ namespace carom {
 struct alignas(64) Track {
     double place[3] = {0, 0, 0};     ///< carried to the common moment, from the tracks' origin [length]
     double velocity[3] = {0, 0, 0};  ///< likewise [length/time]
-    /// Radius with the widest gap that counts as closed, and all roundings of this track and of the exact kernel
-    /// [length].
+    /// Radius with the widest gap that counts as closed, and all roundings of
+    /// this track and of the exact kernel [length].
     double reach = 0;
     AccelerationId acceleration = Accelerations::none;
-    bool is_parabola = false;  ///< false: the rest means nothing (a series, a piece)
+    std::int32_t is_parabola = 0;  ///< 0 or 1; 0: the rest means nothing (a series, a piece, drag)
+};
+
+/// A contact that may come.
+struct Meeting {
+    static constexpr double unknown = std::numeric_limits<double>::infinity();
+
+    double soonest = unknown;  ///< it does not come before this time from now, see `soonest_contact` [time]
+    BodyId other = no_body;
 };
 
 class Tracks {
@@ -31,13 +42,26 @@ public:
     const Track& operator[](BodyId body) const { return tracks_[static_cast<std::size_t>(body)]; }
     /// The time since the common moment [time].
     double age(const Frame& frame, const EpochTime& now) const { return frame.between(moment_, now); }
-    /// Square of a relative speed up to which rounding may turn it; 0 without gravity [length^2/time^2].
+    /// Square of a relative speed up to which rounding may turn it; 0 without
+    /// gravity [length^2/time^2].
     double least_square() const { return least_square_; }
-    /// The origin of places [length], less exact than a place is.
-    const Vec3& origin() const { return origin_; }
+    /// The origin of places, whole cells; and its position, rounded to doubles
+    /// [length].
+    const Place& origin() const { return origin_; }
+    const Vec3& origin_position() const { return origin_position_; }
 
-    /// Follows a flight that has just changed. The common moment moves on now and then.
+    /// Follows a flight that has just changed. The common moment moves on now and
+    /// then.
     void follow(const State& state, BodyId body, const EpochTime& now);
+
+    /// Those of the bodies `near` that may meet this one, in no particular order. \param room for them, which
+    /// grows where it is too small
+    template <bool gravity>
+    std::span<Meeting> meetings(BodyId body, double age, std::span<const BodyId> near,
+                                std::vector<Meeting>& room) const;
+    /// Those that may be in reach now: not `are_apart`. \param own the track of the body now
+    std::span<const BodyId> in_reach(const State& state, const Track& own, double age, std::span<const BodyId> near,
+                                     std::vector<BodyId>& found) const;
 
     /// A body's track carried on to `age`.
     Track at(const State& state, BodyId body, double age) const;
@@ -48,14 +72,15 @@ private:
 
     std::vector<Track> tracks_;  ///< by body
     EpochTime moment_{};
-    Place centre_{};  ///< the origin: whole cells
-    Vec3 origin_ = Vec3::Zero();
+    Place origin_{};
+    Vec3 origin_position_ = Vec3::Zero();
     double least_square_ = 0;
     std::int64_t changes_ = 0;  ///< since the common moment moved
 };
 
-/// A time before which two bodies of one acceleration are certainly out of each other's reach, or certainly separate;
-/// infinite if that is for ever, 0 if it is not certain even now [time from now]. \param age of the tracks now
+/// A time before which two bodies of one acceleration are certainly out of each
+/// other's reach, or certainly separate; infinite if that is for ever, 0 if it
+/// is not certain even now [time from now]. \param age of the tracks now
 template <bool gravity>
 double soonest_contact(const Track& a, const Track& b, double age, double least_square)
 {
@@ -79,7 +104,8 @@ double soonest_contact(const Track& a, const Track& b, double age, double least_
     return gap / (std::sqrt(discriminant) - approach);
 }
 
-/// Whether two bodies are certainly out of each other's reach now. \param own the track of one, at `age`
+/// Whether two bodies are certainly out of each other's reach now. \param own
+/// the track of one, at `age`
 inline bool are_apart(const State& state, const Track& own, const Track& other, double age)
 {
     double rx = own.place[0] - (other.place[0] + age * other.velocity[0]),
@@ -100,9 +126,12 @@ class TrackPlane {
 public:
     TrackPlane(const Plane& plane, const Vec3& origin);
 
-    /// Whether a body certainly does not reach the plane within `time`, which may be infinite [time]. \param own its
-    /// track now
+    /// Whether a body certainly does not reach the plane within `time`, which may
+    /// be infinite [time]. \param own its track now
     bool is_out_of_reach(const State& state, const Track& own, double time) const;
+    /// Whether a sphere around a position, from the tracks' origin, may touch the
+    /// plane. \param radius [length]
+    bool is_near(const Vec3& position, double radius) const;
 
 private:
     double above(const double x[3]) const { return normal_[0] * x[0] + normal_[1] * x[1] + normal_[2] * x[2]; }

@@ -1,7 +1,9 @@
 /// \file
-/// One run of a gas of equal elastic spheres in a box with six walls, to be counted by callgrind:
-/// `carom_gas N PHI IMPACTS [SEARCH] [GRAVITY]`. Prints what each impact took. Two lengths of a run, one from another,
-/// leave the start and the melting of the lattice out (some 20 impacts a sphere); tests/bench/gas.sh makes the table.
+/// One run of a gas of equal elastic spheres in a box with six walls, to be
+/// counted by callgrind: `carom_gas N PHI IMPACTS [SEARCH] [GRAVITY]`. Prints
+/// what each impact took. Two lengths of a run, one from another, leave the
+/// start and the melting of the lattice out (some 20 impacts a sphere);
+/// tests/bench/gas.sh makes the table.
 #include "support/random.hpp"
 
 #include <carom/simulate.hpp>
@@ -13,12 +15,13 @@
 
 namespace {
 
-/// Spheres of radius 1/2 on the sites of a cubic lattice that fills the box, with velocities that are not along it.
+/// Spheres of radius 1/2 on the sites of a cubic lattice that fills the box,
+/// with velocities that are not along it.
 carom::Scene gas(int count, double fraction, double gravity)
 {
     carom::Scene scene;
     scene.gravity = {0, 0, -gravity};
-    scene.end_time = 1e9;
+    scene.end_time = 1e3;
     const int side = static_cast<int>(std::ceil(std::cbrt(count) - 1e-9));
     const double length = std::cbrt(count * M_PI / 6 / fraction), spacing = length / side;
     carom::test::Random random(1);
@@ -47,6 +50,7 @@ carom::BroadPhase search(std::string_view word)
     if (word == "automatic") return carom::BroadPhase::automatic;
     if (word == "all_pairs") return carom::BroadPhase::all_pairs;
     if (word == "cell_grid") return carom::BroadPhase::cell_grid;
+    if (word == "neighbour_lists") return carom::BroadPhase::neighbour_lists;
     std::fprintf(stderr, "carom_gas: no search %s\n", std::string(word).c_str());
     std::exit(2);
 }
@@ -67,7 +71,8 @@ int main(int argc, char** argv)
     const carom::Counts& c = run.counts;
     const auto each = [&](std::int64_t n) { return static_cast<double>(n) / static_cast<double>(c.impacts); };
     std::printf(
-        "%lld impacts to t = %.6g, hash %016llx; an impact: %.2f pair tests, %.3f roots, %.3f stale, "
+        "%lld impacts to t = %.6g, hash %016llx; an impact: %.2f pair "
+        "tests, %.3f roots, %.3f stale, "
         "%.3f crossings, %.3f rebuilds\n",
         static_cast<long long>(c.impacts), run.time, static_cast<unsigned long long>(run.event_hash),
         each(c.pair_tests), each(c.root_solves), each(c.stale), each(c.cell_crossings), each(c.list_rebuilds));
