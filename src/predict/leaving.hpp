@@ -3,7 +3,6 @@
 /// the grid, or the ball in which lists of neighbours hold.
 #pragma once
 
-#include "broad/all_pairs.hpp"
 #include "broad/neighbour_lists.hpp"
 #include "motion/relative.hpp"
 #include "predict/tracks.hpp"
@@ -15,13 +14,7 @@
 
 namespace carom {
 
-/// The event with which a body leaves; its time is `never` if it does not.
-/// \param own the track of the body now
-template <class Kinematics>
-Key leaving(const State&, const AllPairs&, BodyId, const Track&, const EpochTime&, const EpochTime&)
-{
-    return {};
-}
+// The event with which a body leaves; its time is `never` if it does not. `own` is the track of the body now.
 
 /// The crossing of a cell wall.
 template <class Kinematics>

@@ -86,7 +86,8 @@ public:
     /// just changed, each pair among them once. \param changes bodies ascending
     void flights_changed(const State& state, std::span<const Change> changes, const EpochTime& now, Counts& counts)
     {
-        for (const Change& change : changes) tracks_.follow(state, change.body, now);
+        if constexpr (has_tracks)
+            for (const Change& change : changes) tracks_.follow(state, change.body, now);
         for (std::size_t i = 0; i < changes.size(); ++i)
             examine(state, changes[i].body, now, counts, {changes.first(i), changes.subspan(i + 1)});
     }
@@ -127,6 +128,7 @@ public:
     /// See Neighbourhood.
     bool is_alone(const State& state, BodyId body, Partner partner, const EpochTime& now)
     {
+        if constexpr (!has_tracks) return false;
         const double age = tracks_.age(state.frame, now);
         const Track own = tracks_.at(state, body, age);
         if (!own.is_parabola) return false;
@@ -141,6 +143,8 @@ public:
 
 private:
     static constexpr bool has_lists = BroadPhase::has_lists;
+    /// Quick looks before the exact kernel is asked. All pairs do without: for few spheres, and as the slow exact twin.
+    static constexpr bool has_tracks = BroadPhase::bodies_leave;
 
     /// The prediction of a slot's event, beside its key.
     struct Prediction {
@@ -208,32 +212,53 @@ private:
                                   const Together& together = {})
     {
         Best best;
-        const Survey survey(state, tracks_, body, now);
-        if (!state.is_fixed(body)) {  // a fixed body leaves the asking to the others
+        if constexpr (has_tracks) {
+            const Survey survey(state, tracks_, body, now);
+            // A fixed body leaves the asking to the others.
+            if (!state.is_fixed(body)) look_around<exact>(state, survey, together, best, counts);
+            const Key away = leaving<Kinematics>(state, broad_, body, survey.own, now, best.key.time);
+            if (away < best.key) {
+                best.key = away;
+                best.prediction = {};
+            }
+        } else if (!state.is_fixed(body)) {
+            offer_own<exact>(state, body, best, counts, [](int) { return false; });
             const std::span<const BodyId> near = neighbours(body);
             counts.pair_tests += static_cast<std::int64_t>(near.size());
-            const std::span<Meeting> meetings =
-                tracks_.template meetings<Kinematics::has_gravity>(body, survey.age, near, meetings_);
-            offer_meetings<exact>(state, survey, together, meetings, best, counts);
-            const double time = survey.up_to(state, limit(best));
-            offer_planes<Kinematics>(
-                state, body, counts, limit(best),
-                [&](const Key& key, bool rough) { take<exact>(state, key, 0, rough, best); },
-                [&](int p) {
-                    if (is_far(body, static_cast<std::size_t>(p))) return true;
-                    return survey.own.is_parabola &&
-                           planes_[static_cast<std::size_t>(p)].is_out_of_reach(state, survey.own, time);
-                });
-            for (const Meeting& meeting : meetings)
-                if (meeting.soonest == Meeting::unknown && !Together::contains(together.asked, meeting.other))
-                    offer<exact>(state, body, meeting.other, best, counts);
-        }
-        const Key away = leaving<Kinematics>(state, broad_, body, survey.own, now, best.key.time);
-        if (away < best.key) {
-            best.key = away;
-            best.prediction = {};
+            for (const BodyId other : near)
+                if (!Together::contains(together.asked, other)) offer<exact>(state, body, other, best, counts);
         }
         keep(static_cast<std::size_t>(body), best);
+    }
+
+    /// Finds the earliest contact of a body by quick looks.
+    template <bool exact>
+    void look_around(const State& state, const Survey& survey, const Together& together, Best& best, Counts& counts)
+    {
+        const BodyId body = survey.body;
+        const std::span<const BodyId> near = neighbours(body);
+        counts.pair_tests += static_cast<std::int64_t>(near.size());
+        const std::span<Meeting> meetings =
+            tracks_.template meetings<Kinematics::has_gravity>(body, survey.age, near, meetings_);
+        offer_meetings<exact>(state, survey, together, meetings, best, counts);
+        const double time = survey.up_to(state, limit(best));
+        offer_own<exact>(state, body, best, counts, [&](int p) {
+            const auto plane = static_cast<std::size_t>(p);
+            return is_far(body, plane) ||
+                   (survey.own.is_parabola && planes_[plane].is_out_of_reach(state, survey.own, time));
+        });
+        for (const Meeting& meeting : meetings)
+            if (meeting.soonest == Meeting::unknown && !Together::contains(together.asked, meeting.other))
+                offer<exact>(state, body, meeting.other, best, counts);
+    }
+
+    /// Takes the contacts with planes and the end of the motion, where they come before the best one so far.
+    template <bool exact, class OutOfReach>
+    void offer_own(const State& state, BodyId body, Best& best, Counts& counts, const OutOfReach& is_out_of_reach)
+    {
+        offer_planes<Kinematics>(
+            state, body, counts, limit(best),
+            [&](const Key& key, bool rough) { take<exact>(state, key, 0, rough, best); }, is_out_of_reach);
     }
 
     /// The time after which nothing changes the best event.

@@ -8,6 +8,8 @@
 
 #include <carom/simulate.hpp>
 
+#include <sys/resource.h>
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -55,6 +57,14 @@ carom::BroadPhase search(std::string_view word)
     std::exit(2);
 }
 
+/// Most memory that the process has had so far [bytes].
+double peak_memory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024 * static_cast<double>(usage.ru_maxrss);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -66,14 +76,15 @@ int main(int argc, char** argv)
     const carom::Scene scene = gas(std::atoi(argv[1]), std::atof(argv[2]), argc > 5 ? std::atof(argv[5]) : 0);
     carom::RunOptions options;
     options.max_events = std::atoll(argv[3]);
+    const double before = peak_memory();
     const carom::Outcome run =
         carom::simulate(scene, carom::EventDriven{.broad_phase = search(argc > 4 ? argv[4] : "automatic")}, options);
     const carom::Counts& c = run.counts;
     const auto each = [&](std::int64_t n) { return static_cast<double>(n) / static_cast<double>(c.impacts); };
     std::printf(
-        "%lld impacts to t = %.6g, hash %016llx; an impact: %.2f pair "
-        "tests, %.3f roots, %.3f stale, "
-        "%.3f crossings, %.3f rebuilds\n",
+        "%lld impacts to t = %.6g, hash %016llx; an impact: %.2f pair tests, %.3f roots, %.3f stale, "
+        "%.3f crossings, %.3f rebuilds; a sphere: %.0f bytes\n",
         static_cast<long long>(c.impacts), run.time, static_cast<unsigned long long>(run.event_hash),
-        each(c.pair_tests), each(c.root_solves), each(c.stale), each(c.cell_crossings), each(c.list_rebuilds));
+        each(c.pair_tests), each(c.root_solves), each(c.stale), each(c.cell_crossings), each(c.list_rebuilds),
+        (peak_memory() - before) / static_cast<double>(scene.spheres.size()));
 }
