@@ -1,8 +1,7 @@
 /// \file
-/// Features that a scene needs of an engine, and those that each compiled
-/// kernel has. A scene runs on the first kernel of the list that covers its
-/// needs, so it pays for nothing that it does not use. All kernels give the
-/// same events, bit for bit.
+/// Features that a scene needs of an engine, and those that each compiled kernel has. A scene runs on the first kernel
+/// of the list that covers its needs, so it pays for nothing that it does not use. All kernels give the same events,
+/// bit for bit.
 #pragma once
 
 #include <carom/method.hpp>
@@ -39,18 +38,16 @@ struct Kernel {
 /// The kernels, cheapest first; the last one covers everything.
 std::span<const Kernel> kernels();
 
-/// The kernel called `forced`, or the first that covers the scene if `forced`
-/// is empty. \throws InputError if there is no kernel of that name or it lacks
-/// what the scene needs
+/// The kernel called `forced`, or the first that covers the scene if `forced` is empty.
+/// \throws InputError if there is no kernel of that name or it lacks what the scene needs
 const Kernel& choose_kernel(const Scene& scene, std::string_view forced = {});
 
-/// The choice of `BroadPhase::automatic` for discrete methods: all pairs for
-/// few spheres, a cell grid for many. \param spheres their number
+/// The choice of `BroadPhase::automatic` for discrete methods: all pairs for few spheres, a cell grid for many. \param
+/// spheres their number
 BroadPhase automatic_broad_phase(std::size_t spheres);
 
-/// The choice for event-driven runs, from number, radii and density: all pairs
-/// for few spheres; lists of neighbours for many of like size that are close to
-/// each other; else a cell grid.
+/// The choice for event-driven runs, from number, radii and density: all pairs for few spheres; lists of neighbours for
+/// many of like size that are close to each other; else a cell grid.
 BroadPhase event_broad_phase(const Scene& scene);
 
 /// Part of the box around all spheres that they fill [1].

@@ -9,16 +9,15 @@ namespace carom {
 
 namespace {
 
-/// The next number with a mantissa of few bits, so that its multiples are exact
-/// doubles.
+/// The next number with a mantissa of few bits, so that its multiples are exact doubles.
 double round_up_to_few_bits(double x)
 {
     const double unit = power_of_two_below(x) / cell_size_parts;
     return std::ceil(x / unit) * unit;
 }
 
-/// A part of the mean spacing where spheres are sparse, and never smaller than
-/// the reach. (Only the cost depends on it, so a libm's cbrt does no harm.)
+/// A part of the mean spacing where spheres are sparse, and never smaller than the reach. (Only the cost depends on it,
+/// so a libm's cbrt does no harm.)
 double choose_cell_size(const Vec3& extent, std::size_t count, double reach)
 {
     const double volume = std::max(extent[0], reach) * std::max(extent[1], reach) * std::max(extent[2], reach);
@@ -40,8 +39,7 @@ CellGrid::CellGrid(const Frame& frame, const std::vector<Place>& places, double 
     const Vec3 extent = high - low;
     cell_size_ = choose_cell_size(extent, places.size(), reach);
 
-    // As many cells along each axis as the spheres fill, but no more entries than
-    // they deserve.
+    // As many cells along each axis as the spheres fill, but no more entries than they deserve.
     std::array<int, 3> bits{};
     for (int k = 0; k < 3; ++k)
         for (bits[k] = least_bits_an_axis;

@@ -1,9 +1,8 @@
 /// \file
-/// Broad phase for many spheres: a grid of cells without borders. Every sphere
-/// is filed under the cell that holds its centre; two spheres whose cells
-/// differ by more than one in some axis cannot touch. Cells are stored in a
-/// table that repeats itself along each axis, so a sphere may fly as far as it
-/// likes; that distant cells share an entry costs tests, never a neighbour.
+/// Broad phase for many spheres: a grid of cells without borders. Every sphere is filed under the cell that holds its
+/// centre; two spheres whose cells differ by more than one in some axis cannot touch. Cells are stored in a table that
+/// repeats itself along each axis, so a sphere may fly as far as it likes; that distant cells share an entry costs
+/// tests, never a neighbour.
 #pragma once
 
 #include "broad/tolerances.hpp"
@@ -21,8 +20,7 @@ public:
     /// Bodies leave what is known of them, in an event; and whether it is lists.
     static constexpr bool bodies_leave = true, has_lists = false;
 
-    /// \param reach largest distance of two centres at which they must know each
-    /// other [length]
+    /// \param reach largest distance of two centres at which they must know each other [length]
     CellGrid(const Frame& frame, const std::vector<Place>& places, double reach);
 
     const Cell& cell(BodyId body) const { return cells_[static_cast<std::size_t>(body)]; }
@@ -32,18 +30,15 @@ public:
     /// Files `body` under the cell of a position.
     void file_at(BodyId body, const Vec3& position);
 
-    /// Height of a place above the lower wall of a body's cell along an axis, and
-    /// below the upper one [length].
+    /// Height of a place above the lower wall of a body's cell along an axis, and below the upper one [length].
     double above_lower_wall(const Frame& frame, BodyId body, int axis, const Place& place) const;
     double below_upper_wall(const Frame& frame, BodyId body, int axis, const Place& place) const;
 
-    /// Distance from its cell at which a body is filed anew [length]; the reach
-    /// has room for it. Without it a body that turns round at a wall faster than
-    /// times can tell would cross the wall for ever.
+    /// Distance from its cell at which a body is filed anew [length]; the reach has room for it. Without it a body that
+    /// turns round at a wall faster than times can tell would cross the wall for ever.
     double slack() const { return cell_slack * cell_size_; }
 
-    /// The other bodies filed in the 27 cells around `body`, in no particular
-    /// order.
+    /// The other bodies filed in the 27 cells around `body`, in no particular order.
     template <class Visit>
     void neighbours(BodyId body, Visit&& visit) const
     {

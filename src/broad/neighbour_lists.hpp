@@ -1,9 +1,7 @@
 /// \file
-/// Broad phase for many spheres that are close to each other: a list of
-/// neighbours for each. A list is made from where bodies were when they were
-/// filed last, and holds as long as no body is further from there than the
-/// escape radius; then it is filed anew (Verlet, Phys. Rev. 159, 98 (1967),
-/// with events in place of steps).
+/// Broad phase for many spheres that are close to each other: a list of neighbours for each. A list is made from where
+/// bodies were when they were filed last, and holds as long as no body is further from there than the escape radius;
+/// then it is filed anew (Verlet, Phys. Rev. 159, 98 (1967), with events in place of steps).
 #pragma once
 
 #include "broad/cell_grid.hpp"
@@ -34,15 +32,13 @@ public:
         for (const BodyId other : of(body)) visit(other);
     }
 
-    /// Files a body at a position from the origin, and follows in the lists of
-    /// others.
+    /// Files a body at a position from the origin, and follows in the lists of others.
     void file(BodyId body, const Vec3& position);
 
     const Place& origin() const { return origin_; }
     /// The position at which the body was filed last, from the origin [length].
     const Vec3& centre(BodyId body) const { return centres_[static_cast<std::size_t>(body)]; }
-    /// Distance from there up to which a body is in reach of others while it is
-    /// filed there [length].
+    /// Distance from there up to which a body is in reach of others while it is filed there [length].
     double reach(BodyId body) const { return reaches_[static_cast<std::size_t>(body)]; }
     /// Distance from there at which a body is to be filed anew [length].
     double escape_radius() const { return escape_radius_; }

@@ -1,6 +1,6 @@
 /// \file
-/// The choice of the kernel that runs a scene. A kernel is the loop of run.hpp
-/// over a schedule that has just the features its name promises.
+/// The choice of the kernel that runs a scene. A kernel is the loop of run.hpp over a schedule that has just the
+/// features its name promises.
 #include "event_driven/engine.hpp"
 
 #include "event_driven/range.hpp"
@@ -48,9 +48,7 @@ Outcome run_event_driven(const Scene& scene, const EventDriven& method, const Ru
                          const Observer& observer)
 {
     if (method.certified && needs(scene).drag)
-        throw InputError(
-            {"--certified has no drag yet (leave --certified out, or "
-             "set /drag to 0)"});
+        throw InputError({"--certified has no drag yet (leave --certified out, or set /drag to 0)"});
     // Certified runs have one kernel: it must cover everything else.
     const Kernel& kernel =
         choose_kernel(scene, method.certified ? std::string_view("general") : std::string_view(method.kernel));

@@ -41,8 +41,7 @@ std::string of_sphere(const Sphere& s)
 
 struct Speeds {
     double fastest = 0;  ///< [length/time]
-    double gain = 1;     ///< with which the lightest sphere would have the energy of
-                         ///< all, if all were the fastest [1]
+    double gain = 1;     ///< with which the lightest sphere would have the energy of all, if all were the fastest [1]
 };
 
 Speeds speeds_of(const Scene& scene)
@@ -63,8 +62,7 @@ std::string of_frame(const Scene& scene, double until)
     for (const Sphere& s : scene.spheres)
         if (!(largest(s.position) <= furthest_in_scenes * frame.cell_size))
             return s.id + ": a place " + to_text(largest(s.position)) +
-                   " is beyond 2^60 times the smallest radius (move the origin, or "
-                   "leave the smallest sphere out)";
+                   " is beyond 2^60 times the smallest radius (move the origin, or leave the smallest sphere out)";
     if (!(until <= furthest_in_scenes * frame.epoch_length))
         return "an end at " + to_text(until) + " is too far for the fastest sphere: it passes its radius in " +
                to_text(frame.epoch_length) + ", and times are exact up to " +

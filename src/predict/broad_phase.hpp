@@ -15,18 +15,16 @@
 
 namespace carom {
 
-/// Distance from a body's centre [length] beyond which it cannot matter to
-/// others, up to theirs, before one of them leaves what the broad phase knows
-/// of it. A swept ball is larger than its sphere, off its centre, and ends off
-/// its cell by at most `series_below` radii each.
+/// Distance from a body's centre [length] beyond which it cannot matter to others, up to theirs, before one of them
+/// leaves what the broad phase knows of it. A swept ball is larger than its sphere, off its centre, and ends off its
+/// cell by at most `series_below` radii each.
 inline double broad_phase_reach(const State& state, BodyId body)
 {
     return state.radius(body) * (1 + 3 * state.scene.rest.series_below) * reach_slack + state.widest_tie(body);
 }
 
-/// Distance [mean radius] by which lists of neighbours reach further: wider
-/// where spheres are sparse. Where they may gather it is that of a liquid, so
-/// that lists are not long when they have.
+/// Distance [mean radius] by which lists of neighbours reach further: wider where spheres are sparse. Where they may
+/// gather it is that of a liquid, so that lists are not long when they have.
 inline double list_shell(const State& state)
 {
     const bool may_gather = state.loses_energy || state.bodies.accelerations().has_gravity();

@@ -1,6 +1,5 @@
 /// \file
-/// The earliest event of a body that no other sphere has a part in: a plane,
-/// the end of its series or of its piece.
+/// The earliest event of a body that no other sphere has a part in: a plane, the end of its series or of its piece.
 #pragma once
 
 #include "motion/kinematics.hpp"
@@ -8,8 +7,7 @@
 
 namespace carom {
 
-/// The event with which a body's motion ends by itself; its time is `never` if
-/// it does not.
+/// The event with which a body's motion ends by itself; its time is `never` if it does not.
 inline Key own_end(const State& state, BodyId body)
 {
     const EpochTime time = end_of(state.bodies.motion(body), state.frame, state.flight(body).start);
@@ -18,9 +16,8 @@ inline Key own_end(const State& state, BodyId body)
     return {time, Scheduled::piece_end, body, {}};
 }
 
-/// Offers to `take(key, rough)` each event of `body` with itself and with
-/// planes, in no particular order. Planes that carry the body are left out, and
-/// so may be what comes after `best`, the time of the best one so far. \param
+/// Offers to `take(key, rough)` each event of `body` with itself and with planes, in no particular order. Planes that
+/// carry the body are left out, and so may be what comes after `best`, the time of the best one so far. \param
 /// is_out_of_reach whether a plane certainly need not be looked at
 template <class Kinematics, class Take, class OutOfReach>
 void offer_planes(const State& state, BodyId body, Counts& counts, const EpochTime& best, const Take& take,

@@ -1,6 +1,6 @@
 /// \file
-/// Events with which bodies leave what the broad phase knows of them: a cell of
-/// the grid, or the ball in which lists of neighbours hold.
+/// Events with which bodies leave what the broad phase knows of them: a cell of the grid, or the ball in which lists of
+/// neighbours hold.
 #pragma once
 
 #include "broad/neighbour_lists.hpp"
@@ -54,8 +54,8 @@ Key leaving(const State& state, const CellGrid& grid, BodyId body, const Track&,
     return {state.frame.after(now, soonest), Scheduled::cell_crossing, body, wall};
 }
 
-/// A time within which a body certainly stays within `radius` of the centre
-/// from which it is `from` away now [time]. Drag only shortens its way.
+/// A time within which a body certainly stays within `radius` of the centre from which it is `from` away now [time].
+/// Drag only shortens its way.
 inline double time_within(const Vec3& from, const Vec3& v, double acceleration, double radius)
 {
     const auto straight = [&](double r) {
@@ -69,8 +69,7 @@ inline double time_within(const Vec3& from, const Vec3& v, double acceleration, 
     return std::min(straight(radius * (1 - bent_part)), std::sqrt(2 * bent_part * radius / acceleration));
 }
 
-/// The escape from the ball around where the body was filed. \param limit
-/// escapes after it need not be found
+/// The escape from the ball around where the body was filed. \param limit escapes after it need not be found
 template <class Kinematics>
 Key leaving(const State& state, const NeighbourLists& lists, BodyId body, const Track& own, const EpochTime& now,
             const EpochTime& limit)

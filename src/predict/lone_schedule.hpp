@@ -1,6 +1,6 @@
 /// \file
-/// One sphere among planes: no queue, no broad phase, no stamps of partners,
-/// and its commonest event carried out on the spot.
+/// One sphere among planes: no queue, no broad phase, no stamps of partners, and its commonest event carried out on the
+/// spot.
 #pragma once
 
 #include "hold/low_bounce.hpp"
@@ -50,11 +50,10 @@ public:
         for (const Change& change : changes) flight_changed(state, change.body, now, counts);
     }
 
-    /// Carries out bounces that leave the sphere flying, the commonest events of
-    /// all, in one loop: the same bits as `resolve`, which is to be asked if
-    /// there is more to the next one (another contact, a support, a plate, rest,
-    /// a low bounce). \param last time after which nothing is carried out \param
-    /// most bounces; it stops after one that loses energy
+    /// Carries out bounces that leave the sphere flying, the commonest events of all, in one loop: the same bits as
+    /// `resolve`, which is to be asked if there is more to the next one (another contact, a support, a plate, rest, a
+    /// low bounce). \param last time after which nothing is carried out \param most bounces; it stops after one that
+    /// loses energy
     template <class Ledger>
     Bounces bounces(State& state, const EpochTime& last, int most, Ledger& ledger)
     {
@@ -84,8 +83,7 @@ private:
     struct Meeting {
         EpochTime time;
         const Wall* wall;  ///< null if none
-        double h, w;       ///< height and its rate when the flight began [length],
-                           ///< [length/time]
+        double h, w;       ///< height and its rate when the flight began [length], [length/time]
     };
 
     /// The height, with the bits of height_above.
@@ -128,8 +126,8 @@ private:
             const Wall& wall = alone ? only : *next.wall;
             const Vec3 normal = wall.normal;
             const bool inelastic = wall.law.restitution < 1;
-            // A wall that was closed and closing when the flight began belongs to the
-            // event before it. (Not a wall that the sphere has just bounced off.)
+            // A wall that was closed and closing when the flight began belongs to the event before it. (Not a wall that
+            // the sphere has just bounced off.)
             if (!(alone && done > 0) && next.w < 0 && next.h <= tie && began_at_impact) break;
 
             const double dt = frame.between(f.start, next.time);
@@ -173,8 +171,7 @@ private:
         return {done, loses_energy};
     }
 
-    /// The first contact, with the bits of offer_planes. \param known the contact
-    /// with one wall, but for its time
+    /// The first contact, with the bits of offer_planes. \param known the contact with one wall, but for its time
     template <bool alone>
     Meeting first_meeting(const Frame& frame, const Flight& f, double radius, const Meeting& known,
                           Counts& counts) const

@@ -1,8 +1,7 @@
 /// \file
-/// Prediction: the next event of each body, in one slot of the queue: a
-/// contact, or leaving what the broad phase knows. Three parameters that know
-/// nothing of each other, each with a slow exact twin: times of contacts
-/// (Kinematics), bodies that may meet (BroadPhase), the first event (Queue).
+/// Prediction: the next event of each body, in one slot of the queue: a contact, or leaving what the broad phase knows.
+/// Three parameters that know nothing of each other, each with a slow exact twin: times of contacts (Kinematics),
+/// bodies that may meet (BroadPhase), the first event (Queue).
 #pragma once
 
 #include "predict/broad_phase.hpp"
@@ -43,8 +42,7 @@ public:
 
     Next next() const { return {queue_.first(), queue_.key(queue_.first())}; }
 
-    /// Whether the flight of the partner has changed since the event was
-    /// predicted.
+    /// Whether the flight of the partner has changed since the event was predicted.
     bool is_stale(const State& state, const Next& next) const
     {
         const Key& key = next.key;
@@ -55,9 +53,8 @@ public:
         return predictions_[next.slot].stamp != state.bodies.stamp(partner);
     }
 
-    /// Keys may at first be times certainly before the contact. Gives the slot
-    /// the time at which its event is to be carried out, a pure function of the
-    /// flights; false if it has that already.
+    /// Keys may at first be times certainly before the contact. Gives the slot the time at which its event is to be
+    /// carried out, a pure function of the flights; false if it has that already.
     bool refine(const State& state, const Next& next, Counts& counts)
     {
         if constexpr (Kinematics::is_certified) {

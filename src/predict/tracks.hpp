@@ -1,9 +1,7 @@
 /// \file
-/// Tracks: a quick look at bodies, in 64 bytes each. A track is a cache of a
-/// body's flight, carried to a moment that all tracks share; nothing
-/// accumulates in it, and no event takes place at a time that it tells. It only
-/// says which contacts certainly do not come in time, so that few are left for
-/// the exact kernel.
+/// Tracks: a quick look at bodies, in 64 bytes each. A track is a cache of a body's flight, carried to a moment that
+/// all tracks share; nothing accumulates in it, and no event takes place at a time that it tells. It only says which
+/// contacts certainly do not come in time, so that few are left for the exact kernel.
 #pragma once
 
 #include "motion/state.hpp"
@@ -19,8 +17,8 @@ namespace carom {
 struct alignas(64) Track {
     double place[3] = {0, 0, 0};     ///< carried to the common moment, from the tracks' origin [length]
     double velocity[3] = {0, 0, 0};  ///< likewise [length/time]
-    /// Radius with the widest gap that counts as closed, and all roundings of
-    /// this track and of the exact kernel [length].
+    /// Radius with the widest gap that counts as closed, and all roundings of this track and of the exact kernel
+    /// [length].
     double reach = 0;
     AccelerationId acceleration = Accelerations::none;
     std::int32_t is_parabola = 0;  ///< 0 or 1; 0: the rest means nothing (a series, a piece, drag)
@@ -42,11 +40,9 @@ public:
     const Track& operator[](BodyId body) const { return tracks_[static_cast<std::size_t>(body)]; }
     /// The time since the common moment [time].
     double age(const Frame& frame, const EpochTime& now) const { return frame.between(moment_, now); }
-    /// Square of a relative speed up to which rounding may turn it; 0 without
-    /// gravity [length^2/time^2].
+    /// Square of a relative speed up to which rounding may turn it; 0 without gravity [length^2/time^2].
     double least_square() const { return least_square_; }
-    /// The origin of places, whole cells; and its position, rounded to doubles
-    /// [length].
+    /// The origin of places, whole cells; and its position, rounded to doubles [length].
     const Place& origin() const { return origin_; }
     const Vec3& origin_position() const { return origin_position_; }
 
@@ -78,9 +74,8 @@ private:
     std::int64_t changes_ = 0;  ///< since the common moment moved
 };
 
-/// A time before which two bodies of one acceleration are certainly out of each
-/// other's reach, or certainly separate; infinite if that is for ever, 0 if it
-/// is not certain even now [time from now]. \param age of the tracks now
+/// A time before which two bodies of one acceleration are certainly out of each other's reach, or certainly separate;
+/// infinite if that is for ever, 0 if it is not certain even now [time from now]. \param age of the tracks now
 template <bool gravity>
 double soonest_contact(const Track& a, const Track& b, double age, double least_square)
 {
@@ -104,8 +99,7 @@ double soonest_contact(const Track& a, const Track& b, double age, double least_
     return gap / (std::sqrt(discriminant) - approach);
 }
 
-/// Whether two bodies are certainly out of each other's reach now. \param own
-/// the track of one, at `age`
+/// Whether two bodies are certainly out of each other's reach now. \param own the track of one, at `age`
 inline bool are_apart(const State& state, const Track& own, const Track& other, double age)
 {
     double rx = own.place[0] - (other.place[0] + age * other.velocity[0]),

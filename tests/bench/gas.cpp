@@ -1,9 +1,7 @@
 /// \file
-/// One run of a gas of equal elastic spheres in a box with six walls, to be
-/// counted by callgrind: `carom_gas N PHI IMPACTS [SEARCH] [GRAVITY]`. Prints
-/// what each impact took. Two lengths of a run, one from another, leave the
-/// start and the melting of the lattice out (some 20 impacts a sphere);
-/// tests/bench/gas.sh makes the table.
+/// One run of a gas of equal elastic spheres in a box with six walls, to be counted by callgrind: `carom_gas N PHI
+/// IMPACTS [SEARCH] [GRAVITY]`. Prints what each impact took. Two lengths of a run, one from another, leave the start
+/// and the melting of the lattice out (some 20 impacts a sphere); tests/bench/gas.sh makes the table.
 #include "support/random.hpp"
 
 #include <carom/simulate.hpp>
@@ -17,8 +15,7 @@
 
 namespace {
 
-/// Spheres of radius 1/2 on the sites of a cubic lattice that fills the box,
-/// with velocities that are not along it.
+/// Spheres of radius 1/2 on the sites of a cubic lattice that fills the box, with velocities that are not along it.
 carom::Scene gas(int count, double fraction, double gravity)
 {
     carom::Scene scene;

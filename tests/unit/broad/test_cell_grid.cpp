@@ -30,8 +30,7 @@ struct World {
     {
     }
 
-    /// Everybody within reach is found, once, and nobody is found by himself.
-    /// Returns how many pairs are within reach.
+    /// Everybody within reach is found, once, and nobody is found by himself. Returns how many pairs are within reach.
     int require_complete() const
     {
         int close = 0;
@@ -136,8 +135,7 @@ TEST_CASE("the walls of a body's cell enclose its place to the bit")
                 const Place& place = world.places[static_cast<std::size_t>(body)];
                 const double above = world.grid.above_lower_wall(world.frame, body, axis, place);
                 const double below = world.grid.below_upper_wall(world.frame, body, axis, place);
-                // Filed by a coordinate rounded to a double: that far it may be off its
-                // cell.
+                // Filed by a coordinate rounded to a double: that far it may be off its cell.
                 CHECK(above >= -1e-16 * 1e9);
                 CHECK(below >= -1e-16 * 1e9);
                 CHECK(above + below >= 0.37);

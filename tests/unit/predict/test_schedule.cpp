@@ -1,5 +1,4 @@
-/// Schedules: whatever the broad phase and the queue, the next contact is the
-/// same, for every kinematics.
+/// Schedules: whatever the broad phase and the queue, the next contact is the same, for every kinematics.
 #include "predict/schedule.hpp"
 
 #include "support/random.hpp"
@@ -76,8 +75,7 @@ void check_twins(const Vec3& gravity, Precision precision, double drag = 0)
         REQUIRE(next_contact(linear_grid, state, counts) == key);
         REQUIRE(next_contact(lists, state, counts) == key);
         with_spheres += key.b.is_sphere();
-        // Whoever meets somebody goes anywhere but on: what impacts do is another
-        // matter.
+        // Whoever meets somebody goes anywhere but on: what impacts do is another matter.
         std::vector<Change> changes;
         for (const BodyId body : {key.a, key.b.is_sphere() ? key.b.index : key.a})
             if (!state.is_fixed(body) && (changes.empty() || changes.front().body != body))
