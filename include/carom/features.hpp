@@ -42,7 +42,15 @@ std::span<const Kernel> kernels();
 /// \throws InputError if there is no kernel of that name or it lacks what the scene needs
 const Kernel& choose_kernel(const Scene& scene, std::string_view forced = {});
 
-/// The choice of `BroadPhase::automatic`: all pairs for few spheres, a cell grid for many. \param spheres their number
+/// The choice of `BroadPhase::automatic` for discrete methods: all pairs for few spheres, a cell grid for many. \param
+/// spheres their number
 BroadPhase automatic_broad_phase(std::size_t spheres);
+
+/// The choice for event-driven runs, from number, radii and density: all pairs for few spheres; lists of neighbours for
+/// many of like size that are close to each other; else a cell grid.
+BroadPhase event_broad_phase(const Scene& scene);
+
+/// Part of the box around all spheres that they fill [1].
+double packing_fraction(const Scene& scene);
 
 }  // namespace carom

@@ -12,15 +12,17 @@
 
 namespace carom {
 
-/// The search for candidate pairs. `automatic` takes all pairs for few spheres and a cell grid for many. Results do not
-/// depend on it, bit for bit; only the cost does.
-enum class BroadPhase : std::uint8_t { automatic, all_pairs, cell_grid };
+/// The search for candidate pairs: all pairs; a grid of cells; lists of neighbours, of event-driven runs alone
+/// (discrete methods take all pairs instead). `automatic` is `automatic_broad_phase` and `event_broad_phase`. Results
+/// do not depend on it, bit for bit; only the cost does.
+enum class BroadPhase : std::uint8_t { automatic, all_pairs, cell_grid, neighbour_lists };
 
 /// Exact in time: the next contact is a root, not a step.
 struct EventDriven {
     static constexpr std::string_view method_name = "event";
     BroadPhase broad_phase = BroadPhase::automatic;
-    std::string kernel{};  ///< name of a kernel (`kernels`); empty: the cheapest that covers the scene
+    std::string kernel{};  ///< name of a kernel (`kernels`); empty: the cheapest
+                           ///< that covers the scene
     /// Positions in double-double, and each event of free flight carried out at a time that is certainly not after the
     /// exact contact: the gap never goes below 0. For runs that `verify` is to certify.
     bool certified = false;
@@ -51,7 +53,8 @@ struct StepOptions {
     int substeps = 1;       ///< >= 1, steps of dt / substeps each
     int passes = 1;         ///< >= 1, how often the contact phases are repeated in a substep
     ContactOrder order = ContactOrder::index;
-    bool literal = false;    ///< pbd only: the textbook's unconditional response (also when separating), once a substep
+    bool literal = false;    ///< pbd only: the textbook's unconditional response
+                             ///< (also when separating), once a substep
     std::uint64_t seed = 1;  ///< for ContactOrder::random
     Integrator integrator = Integrator::euler;
 };
@@ -119,7 +122,8 @@ struct Speculative : StepOptions {
 /// looked for once a step.
 struct Soft : StepOptions {
     static constexpr std::string_view method_name = "soft";
-    double hertz = 30;          ///< > 0, of the spring of an overlap, at most a quarter of the substeps' rate [1/time]
+    double hertz = 30;          ///< > 0, of the spring of an overlap, at most a quarter of
+                                ///< the substeps' rate [1/time]
     double damping_ratio = 10;  ///< >= 0
 };
 

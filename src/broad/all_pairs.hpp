@@ -8,7 +8,7 @@ namespace carom {
 
 class AllPairs {
 public:
-    static constexpr bool has_cells = false;
+    static constexpr bool bodies_leave = false, has_lists = false;
 
     explicit AllPairs(BodyId count) : count_(count) {}
 

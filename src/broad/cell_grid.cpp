@@ -58,11 +58,24 @@ CellGrid::CellGrid(const Frame& frame, const std::vector<Place>& places, double 
     first_.assign(std::size_t{1} << shift, no_body);
 
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const Vec3 p = position_of(frame, places[i]);
-        for (int k = 0; k < 3; ++k)
-            cells_[i][k] = static_cast<std::int64_t>(std::floor(std::clamp(p[k] / cell_size_, -furthest, furthest)));
+        cells_[i] = cell_of(position_of(frame, places[i]));
         file(static_cast<BodyId>(i));
     }
+}
+
+Cell CellGrid::cell_of(const Vec3& position) const
+{
+    Cell cell;
+    for (int k = 0; k < 3; ++k)
+        cell[k] = static_cast<std::int64_t>(std::floor(std::clamp(position[k] / cell_size_, -furthest, furthest)));
+    return cell;
+}
+
+void CellGrid::file_at(BodyId body, const Vec3& position)
+{
+    unfile(body);
+    cells_[static_cast<std::size_t>(body)] = cell_of(position);
+    file(body);
 }
 
 void CellGrid::file(BodyId body)

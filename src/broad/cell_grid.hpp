@@ -17,7 +17,8 @@ using Cell = std::array<std::int64_t, 3>;
 
 class CellGrid {
 public:
-    static constexpr bool has_cells = true;  ///< bodies cross walls
+    /// Bodies leave what is known of them, in an event; and whether it is lists.
+    static constexpr bool bodies_leave = true, has_lists = false;
 
     /// \param reach largest distance of two centres at which they must know each other [length]
     CellGrid(const Frame& frame, const std::vector<Place>& places, double reach);
@@ -25,6 +26,9 @@ public:
     const Cell& cell(BodyId body) const { return cells_[static_cast<std::size_t>(body)]; }
     /// Files `body` under the next cell along `axis`, up (+1) or down (-1).
     void step(BodyId body, int axis, int direction);
+
+    /// Files `body` under the cell of a position.
+    void file_at(BodyId body, const Vec3& position);
 
     /// Height of a place above the lower wall of a body's cell along an axis, and below the upper one [length].
     double above_lower_wall(const Frame& frame, BodyId body, int axis, const Place& place) const;
@@ -38,15 +42,15 @@ public:
     template <class Visit>
     void neighbours(BodyId body, Visit&& visit) const
     {
-        visit_block(body, {-1, -1, -1}, {1, 1, 1}, visit);
-    }
-    /// The bodies filed in the 9 cells that came into view when `body` stepped along `axis`.
-    template <class Visit>
-    void new_neighbours(BodyId body, int axis, int direction, Visit&& visit) const
-    {
-        std::array<int, 3> low{-1, -1, -1}, high{1, 1, 1};
-        low[axis] = high[axis] = direction;
-        visit_block(body, low, high, visit);
+        const Cell centre = cell(body);
+        for (int z = -1; z <= 1; ++z)
+            for (int y = -1; y <= 1; ++y)
+                for (int x = -1; x <= 1; ++x) {
+                    const Cell here{centre[0] + x, centre[1] + y, centre[2] + z};
+                    for (BodyId other = first_[entry(here)]; other != no_body;
+                         other = next_[static_cast<std::size_t>(other)])
+                        if (other != body && same(cells_[static_cast<std::size_t>(other)], here)) visit(other);
+                }
     }
 
 private:
@@ -59,19 +63,7 @@ private:
     void file(BodyId body);
     void unfile(BodyId body);
 
-    template <class Visit>
-    void visit_block(BodyId body, const std::array<int, 3>& low, const std::array<int, 3>& high, Visit&& visit) const
-    {
-        const Cell centre = cell(body);
-        for (int z = low[2]; z <= high[2]; ++z)
-            for (int y = low[1]; y <= high[1]; ++y)
-                for (int x = low[0]; x <= high[0]; ++x) {
-                    const Cell here{centre[0] + x, centre[1] + y, centre[2] + z};
-                    for (BodyId other = first_[entry(here)]; other != no_body;
-                         other = next_[static_cast<std::size_t>(other)])
-                        if (other != body && same(cells_[static_cast<std::size_t>(other)], here)) visit(other);
-                }
-    }
+    Cell cell_of(const Vec3& position) const;
 
     double cell_size_;  ///< few bits, so that a wall's position is exact [length]
     std::array<std::int64_t, 3> mask_{};

@@ -2,6 +2,8 @@
 /// The tolerances of broad phases: unit, value, reason.
 #pragma once
 
+#include <cstddef>
+
 namespace carom {
 
 /// Parts [1] of a power of two to which a cell size is rounded up: its mantissa has four bits, so that its multiples up
@@ -22,5 +24,13 @@ inline constexpr int entry_bits_a_sphere = 3;
 /// Distance [cells] that a body may be off its cell before it is filed anew. Rounding of a place, u of a cell, is far
 /// below it; two bodies come nearer by 2 of it, 0.2 % of a cell, than their cells say, which `reach_slack` covers.
 inline constexpr double cell_slack = 0x1p-10;
+
+// Lists of neighbours.
+
+/// Part of the escape radius [1] that is left for rounding: places within 2^30 of a radius round by 2^-22 of it.
+inline constexpr double shell_slack = 0x1p-10;
+/// Neighbours of a body [1] for which there is room at first: with those of a dense fluid, 13 on the mean, it seldom
+/// has to grow.
+inline constexpr std::size_t first_room = 24;
 
 }  // namespace carom

@@ -26,8 +26,17 @@ struct Explanation {
 std::string broad_phase_of(const Scene& scene)
 {
     if (scene.spheres.size() < 2) return "none: one sphere has no neighbours";
-    if (automatic_broad_phase(scene.spheres.size()) == BroadPhase::all_pairs) return "all pairs: the spheres are few";
-    return "cell grid: the spheres are many";
+    switch (event_broad_phase(scene)) {
+        case BroadPhase::all_pairs:
+            return "all pairs: the spheres are few";
+        case BroadPhase::neighbour_lists:
+            return fmt::format("neighbour lists: the spheres are many, of like size, and fill {:.3g} of their box",
+                               packing_fraction(scene));
+        case BroadPhase::automatic:
+        case BroadPhase::cell_grid:
+            break;
+    }
+    return "cell grid: the spheres are many, but sparse or of unlike size";
 }
 
 std::string reference_of(const Scene& scene)

@@ -18,12 +18,14 @@ namespace {
 
 template <class Kinematics>
 Outcome run_with(const Scene& scene, const Kernel& kernel, const EventDriven& method, const RunOptions& options,
-                 const Observer& observer)
+                 const Observer& observer, double until)
 {
     BroadPhase wanted = method.broad_phase;
-    if (wanted == BroadPhase::automatic) wanted = automatic_broad_phase(scene.spheres.size());
+    if (wanted == BroadPhase::automatic) wanted = event_broad_phase(scene);
     if (scene.spheres.size() < 2 || wanted == BroadPhase::all_pairs)
         return Run<Schedule<Kinematics, AllPairs>>(scene, kernel, method, options, observer).go();
+    if (wanted == BroadPhase::neighbour_lists && !goes_far(scene, until))
+        return Run<Schedule<Kinematics, NeighbourLists>>(scene, kernel, method, options, observer).go();
     return Run<Schedule<Kinematics, CellGrid>>(scene, kernel, method, options, observer).go();
 }
 
@@ -52,11 +54,12 @@ Outcome run_event_driven(const Scene& scene, const EventDriven& method, const Ru
         choose_kernel(scene, method.certified ? std::string_view("general") : std::string_view(method.kernel));
     const double until = std::isnan(options.until) ? scene.end_time : options.until;
     if (const std::string why = out_of_range(scene, until); !why.empty()) return not_begun(scene, kernel, why);
-    if (method.certified) return run_with<CertifiedKinematics>(scene, kernel, method, options, observer);
+    if (method.certified) return run_with<CertifiedKinematics>(scene, kernel, method, options, observer, until);
     if (!kernel.features.pairs) return Run<LoneSchedule>(scene, kernel, method, options, observer).go();
-    if (!kernel.features.gravity) return run_with<PlainKinematics<false>>(scene, kernel, method, options, observer);
-    if (needs(scene).drag) return run_with<DampedKinematics>(scene, kernel, method, options, observer);
-    return run_with<PlainKinematics<true>>(scene, kernel, method, options, observer);
+    if (!kernel.features.gravity)
+        return run_with<PlainKinematics<false>>(scene, kernel, method, options, observer, until);
+    if (needs(scene).drag) return run_with<DampedKinematics>(scene, kernel, method, options, observer, until);
+    return run_with<PlainKinematics<true>>(scene, kernel, method, options, observer, until);
 }
 
 }  // namespace carom

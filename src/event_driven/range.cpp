@@ -39,6 +39,23 @@ std::string of_sphere(const Sphere& s)
     return {};
 }
 
+struct Speeds {
+    double fastest = 0;  ///< [length/time]
+    double gain = 1;     ///< with which the lightest sphere would have the energy of all, if all were the fastest [1]
+};
+
+Speeds speeds_of(const Scene& scene)
+{
+    double heaviest = 0, lightest = std::numeric_limits<double>::infinity(), fastest = 0;
+    for (const Sphere& s : scene.spheres) {
+        if (s.fixed) continue;
+        heaviest = std::max(heaviest, s.mass);
+        lightest = std::min(lightest, s.mass);
+        fastest = std::max(fastest, length(s.velocity));
+    }
+    return {fastest, std::sqrt(static_cast<double>(scene.spheres.size()) * (heaviest / lightest))};
+}
+
 std::string of_frame(const Scene& scene, double until)
 {
     const Frame frame = make_frame(scene);
@@ -64,23 +81,29 @@ std::string out_of_range(const Scene& scene, double until)
         return too_small("an acceleration", g, "2^-1000");
     if (!(scene.drag <= largest_size)) return too_large("a drag", scene.drag);
     if (!(scene.drag * until <= longest_run)) return too_large("drag times the end", scene.drag * until, "2^800");
-    double heaviest = 0, lightest = std::numeric_limits<double>::infinity(), fastest = 0;
-    for (const Sphere& s : scene.spheres) {
+    for (const Sphere& s : scene.spheres)
         if (std::string why = of_sphere(s); !why.empty()) return why;
-        if (s.fixed) continue;
-        heaviest = std::max(heaviest, s.mass);
-        lightest = std::min(lightest, s.mass);
-        fastest = std::max(fastest, length(s.velocity));
-    }
     for (const Plane& p : scene.planes)
         if (const double size = std::max(std::abs(p.offset), p.thickness.value_or(0)); !(size <= largest_size))
             return too_large(p.id + ": a length", size);
-    const double spheres = static_cast<double>(scene.spheres.size());
-    const double reached = fastest == 0 ? 0 : std::sqrt(spheres * (heaviest / lightest)) * fastest;
+    const auto [fastest, gain] = speeds_of(scene);
+    const double reached = fastest == 0 ? 0 : gain * fastest;
     if (!(reached <= largest_size)) return too_large("the lightest sphere with all the energy: a speed", reached);
     if (!((reached + length(scene.gravity) * until) * until <= longest_flight))
         return "an end at " + to_text(until) + " is so late that a flight until then leaves the range of doubles";
     return of_frame(scene, until);
+}
+
+bool goes_far(const Scene& scene, double until)
+{
+    const auto [fastest, gain] = speeds_of(scene);
+    const double way = gain * (fastest + length(scene.gravity) * until) * until;
+    double radius = std::numeric_limits<double>::infinity(), apart = 0;
+    for (const Sphere& s : scene.spheres) {
+        radius = std::min(radius, s.radius);
+        apart = std::max(apart, length(s.position - scene.spheres.front().position));
+    }
+    return !(apart + way <= furthest_in_lists * radius);
 }
 
 }  // namespace carom

@@ -14,4 +14,8 @@ namespace carom {
 /// down to 2^-400, gravity down to 2^-1000 or 0. \pre the scene is valid
 std::string out_of_range(const Scene& scene, double until);
 
+/// Whether some sphere might get so far from the others until `until` that lists of neighbours would lose digits. \pre
+/// the scene is in range
+bool goes_far(const Scene& scene, double until);
+
 }  // namespace carom

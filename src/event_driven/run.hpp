@@ -30,7 +30,7 @@ public:
           end_(state_.frame.after({}, std::isnan(options.until) ? scene.end_time : options.until)),
           schedule_(begin(), ledger_.out.counts),
           rate_(state_),
-          neighbourhood_([this](BodyId body) { return schedule_.neighbours(body); }),
+          neighbourhood_(*this),
           deadline_(deadline(options))
     {
     }
@@ -43,7 +43,7 @@ public:
             if (next.key.time > end_) break;
             if (status = look(next.key.time); status != Status::reached_end) break;
             if (next.key.kind == Scheduled::cell_crossing)
-                schedule_.cross(state_, next.key, ledger_.out.counts);
+                schedule_.leave(state_, next.key, ledger_.out.counts);
             else if (schedule_.is_stale(state_, next))
                 schedule_.predict_again(state_, next, ledger_.out.counts);
             else if (!schedule_.refine(state_, next, ledger_.out.counts))
@@ -54,6 +54,17 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+
+    /// The schedule's answers, for whoever knows no schedule.
+    struct Surroundings final : Neighbourhood {
+        explicit Surroundings(Run& its_run) : run(its_run) {}
+        std::span<const BodyId> operator()(BodyId body) const override { return run.schedule_.neighbours(body); }
+        bool is_alone(BodyId body, Partner partner, const EpochTime& now) const override
+        {
+            return run.schedule_.is_alone(run.state_, body, partner, now);
+        }
+        Run& run;
+    };
 
     static std::optional<Clock::time_point> deadline(const RunOptions& options)
     {
@@ -104,11 +115,7 @@ private:
         if (comes_to_rest(outcome_)) return zeno(key);
         commit(outcome_);
         for (const Change& change : outcome_.changes) ledger_.show_flight(state_, change.body);
-        if (alone)
-            for (const Change& change : outcome_.changes)
-                schedule_.flight_changed(state_, change.body, now_, ledger_.out.counts);
-        else
-            schedule_.flights_changed(state_, outcome_.changes, now_, ledger_.out.counts);
+        schedule_.flights_changed(state_, outcome_.changes, now_, ledger_.out.counts);
         // An event of a component without an impact counts, too: the run must not stand still.
         if (!alone && impact && outcome_.events.empty()) {
             hit_.assign({key.a});
@@ -276,7 +283,7 @@ private:
     EpochTime end_, now_;
     Schedule schedule_;
     ImpactRate rate_;
-    Neighbourhood neighbourhood_;
+    const Surroundings neighbourhood_;
     std::optional<Clock::time_point> deadline_;
     std::size_t next_sample_ = 0;
     std::int64_t looked_at_ = 0;

@@ -27,6 +27,10 @@ inline constexpr double longest_flight = largest_number;
 /// Largest place and time [cells, epochs] of a scene: a quarter of what is counted, so that sums of a few fit, too.
 inline constexpr double furthest_in_scenes = furthest / 4;
 
+/// Distance [smallest radius] of spheres from the first one up to which lists of neighbours are used: `shell_slack` has
+/// room for its rounding.
+inline constexpr double furthest_in_lists = 0x1p30;
+
 // Impacts.
 
 /// First nudge [speeds] of a contact that still closes after its impact: the rounding of its speed.

@@ -68,6 +68,7 @@ bool other_closed(const State& state, const ContactInstant& instant, const Fligh
                   const Neighbourhood& neighbourhood)
 {
     if (state.is_fixed(body)) return false;  // contacts are linked through bodies that can move
+    if (neighbourhood.is_alone(body, partner, now.start)) return false;
     const auto* leaning = state.bodies.as<Leaning>(body);
     bool in_heaps = false;
     const auto is_closed = [&](Closed closed, Partner other) {

@@ -5,13 +5,22 @@
 #include "gather/tolerances.hpp"
 #include "motion/state.hpp"
 
-#include <functional>
 #include <span>
 
 namespace carom {
 
-/// Every sphere that may touch this one now; valid until the next call.
-using Neighbourhood = std::function<std::span<const BodyId>(BodyId)>;
+/// What is near a body, as the schedule of the run knows it.
+class Neighbourhood {
+public:
+    /// Every sphere that may touch this one now; valid until the next call.
+    virtual std::span<const BodyId> operator()(BodyId body) const = 0;
+    /// A quick answer: whether certainly no contact of the body but that with `partner` is closed now; false where it
+    /// takes more to know.
+    virtual bool is_alone(BodyId body, Partner partner, const EpochTime& now) const = 0;
+
+protected:
+    ~Neighbourhood() = default;
+};
 
 /// may_touch for spheres whose centres are r apart now.
 inline bool is_near(const State& state, BodyId body, BodyId other, const Vec3& r, double margin)

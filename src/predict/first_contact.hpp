@@ -17,9 +17,11 @@ inline Key own_end(const State& state, BodyId body)
 }
 
 /// Offers to `take(key, rough)` each event of `body` with itself and with planes, in no particular order. Planes that
-/// carry the body are left out, and so may be what comes after `best`, the time of the best one so far.
-template <class Kinematics, class Take>
-void offer_planes(const State& state, BodyId body, Counts& counts, const EpochTime& best, const Take& take)
+/// carry the body are left out, and so may be what comes after `best`, the time of the best one so far. \param
+/// is_out_of_reach whether a plane certainly need not be looked at
+template <class Kinematics, class Take, class OutOfReach>
+void offer_planes(const State& state, BodyId body, Counts& counts, const EpochTime& best, const Take& take,
+                  const OutOfReach& is_out_of_reach)
 {
     const MotionKind kind = state.bodies.kind(body);
     const bool bounces = kind == MotionKind::bouncing;
@@ -32,6 +34,7 @@ void offer_planes(const State& state, BodyId body, Counts& counts, const EpochTi
     const Moving sphere = moving(state, body);
     counts.pair_tests += state.planes();
     for (int p = 0; p < state.planes(); ++p) {
+        if (is_out_of_reach(p)) continue;
         const Partner plane = Partner::plane(p);
         if (carrier == p || (several && state.bodies.contacts().between(body, plane))) continue;
         const ContactTime contact = Kinematics::plane_time(state, sphere, p, best);

@@ -40,8 +40,9 @@ public:
     void flight_changed(const State& state, BodyId body, const EpochTime&, Counts& counts)
     {
         next_.key = {};
-        offer_planes<PlainKinematics<true>>(state, body, counts, next_.key.time,
-                                            [&](const Key& key, bool) { next_.key = std::min(next_.key, key); });
+        offer_planes<PlainKinematics<true>>(
+            state, body, counts, next_.key.time, [&](const Key& key, bool) { next_.key = std::min(next_.key, key); },
+            [](int) { return false; });
     }
 
     void flights_changed(const State& state, std::span<const Change> changes, const EpochTime& now, Counts& counts)
@@ -67,8 +68,9 @@ public:
     bool is_stale(const State&, const Next&) const { return false; }
     void predict_again(const State&, const Next&, Counts&) {}
     bool refine(const State&, const Next&, Counts&) const { return false; }
-    void cross(const State&, const Key&, Counts&) {}
+    void leave(const State&, const Key&, Counts&) {}
     std::span<const BodyId> neighbours(BodyId) const { return {}; }
+    bool is_alone(const State&, BodyId, Partner, const EpochTime&) const { return false; }
 
 private:
     struct Wall {

@@ -3,7 +3,9 @@
 
 #include "scene/tolerances.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 namespace carom {
 
@@ -33,6 +35,29 @@ std::string missing(const Features& kernel, const Features& needed)
 BroadPhase automatic_broad_phase(std::size_t spheres)
 {
     return spheres <= all_pairs_limit ? BroadPhase::all_pairs : BroadPhase::cell_grid;
+}
+
+double packing_fraction(const Scene& scene)
+{
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    double volume = 0;
+    for (const Sphere& s : scene.spheres) {
+        low = low.cwiseMin(s.position - Vec3::Constant(s.radius));
+        high = high.cwiseMax(s.position + Vec3::Constant(s.radius));
+        volume += sphere_volume * s.radius * s.radius * s.radius;
+    }
+    return scene.spheres.empty() ? 0 : volume / (high - low).prod();
+}
+
+BroadPhase event_broad_phase(const Scene& scene)
+{
+    const BroadPhase plain = automatic_broad_phase(scene.spheres.size());
+    if (plain == BroadPhase::all_pairs) return plain;
+    const auto [smallest, largest] =
+        std::minmax_element(scene.spheres.begin(), scene.spheres.end(),
+                            [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; });
+    const bool alike = largest->radius <= alike_radii * smallest->radius;
+    return alike && packing_fraction(scene) >= least_fraction_for_lists ? BroadPhase::neighbour_lists : plain;
 }
 
 Features needs(const Scene& scene)

@@ -55,6 +55,13 @@ inline constexpr double overlap_rounded_up = 1.001;
 /// Spheres [1] up to which all pairs cost less than a grid (tests/bench/event_run.cpp, and by the same count for the
 /// discrete methods).
 inline constexpr std::size_t all_pairs_limit = 32;
+/// Volume of a sphere [cube of its radius]: 4 pi / 3, of which only a choice depends.
+inline constexpr double sphere_volume = 4.18879020478639;
+/// Ratio [1] of the largest radius to the smallest up to which spheres are alike: the cells from which lists are made
+/// are as large as the largest needs.
+inline constexpr double alike_radii = 2;
+/// Packing fraction [1] from which on lists cost less than cells.
+inline constexpr double least_fraction_for_lists = 0.02;
 
 // Grid of spheres at the start.
 

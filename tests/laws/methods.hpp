@@ -40,6 +40,7 @@ inline std::vector<Claims> methods()
     return {
         {"event, all pairs", EventDriven{BroadPhase::all_pairs}, true, true, true, true},
         {"event, cell grid", EventDriven{BroadPhase::cell_grid}, true, true, true, true},
+        {"event, neighbour lists", EventDriven{BroadPhase::neighbour_lists}, true, true, true, true},
         {"pbd", PositionBased{steps}, true},
         {"velocity", VelocityBased{steps}},
         {"bisection", Bisection{steps}, true, false, true, true},

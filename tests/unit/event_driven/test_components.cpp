@@ -192,7 +192,11 @@ TEST_CASE("a contact that closed a moment ago belongs to the instant of another 
     const auto at = [&](double t) { return state.frame.after({}, t); };
     state.recent.add(0, 1, at(0.5));
     const EpochTime soon = at(0.5 + state.rest.window / 2), later = at(0.5 + 2 * state.rest.window);
-    const Neighbourhood nobody = [](BodyId) { return std::span<const BodyId>(); };
+    struct Nobody final : Neighbourhood {
+        std::span<const BodyId> operator()(BodyId) const override { return {}; }
+        bool is_alone(BodyId, Partner, const EpochTime&) const override { return false; }
+    };
+    const Nobody nobody;
     const auto closed = [&](BodyId a, BodyId b, double gap, const EpochTime& time) {
         const Key key{time, Scheduled::pair_impact, 1, Partner::sphere(2)};
         return ContactInstant(state, key, nobody).closed(a, Partner::sphere(b), gap);

@@ -52,9 +52,9 @@ Scene generated(std::uint64_t seed)
     return scene;
 }
 
-std::uint64_t hash_with(const Scene& scene, std::string_view kernel)
+std::uint64_t hash_with(const Scene& scene, std::string_view kernel, BroadPhase broad_phase = BroadPhase::automatic)
 {
-    EventDriven method;
+    EventDriven method{.broad_phase = broad_phase};
     method.kernel = kernel;
     const Outcome run = simulate(scene, method);
     CHECK(run.kernel == kernel);
@@ -63,7 +63,8 @@ std::uint64_t hash_with(const Scene& scene, std::string_view kernel)
 
 }  // namespace
 
-TEST_CASE("special and general kernels give the same events on 200 generated scenes", "[kernels]")
+TEST_CASE("special and general kernels, all pairs, cells and lists give the same events on 200 generated scenes",
+          "[kernels]")
 {
     int special = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -71,7 +72,10 @@ TEST_CASE("special and general kernels give the same events on 200 generated sce
         const Kernel& chosen = choose_kernel(scene);
         special += chosen.name != "general";
         CAPTURE(seed, std::string(chosen.name));
-        CHECK(hash_with(scene, chosen.name) == hash_with(scene, "general"));
+        const std::uint64_t hash = hash_with(scene, "general");
+        CHECK(hash_with(scene, chosen.name) == hash);
+        for (const BroadPhase search : {BroadPhase::all_pairs, BroadPhase::cell_grid, BroadPhase::neighbour_lists})
+            CHECK(hash_with(scene, chosen.name, search) == hash);
     }
     CHECK(special > 80);  // else nothing was compared
 }

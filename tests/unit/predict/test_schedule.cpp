@@ -35,7 +35,7 @@ Key next_contact(Schedule& schedule, const State& state, Counts& counts)
     for (;;) {
         const auto next = schedule.next();
         if (next.key.kind == Scheduled::cell_crossing)
-            schedule.cross(state, next.key, counts);
+            schedule.leave(state, next.key, counts);
         else if (schedule.is_stale(state, next))
             schedule.predict_again(state, next, counts);
         else if (!schedule.refine(state, next, counts))
@@ -65,6 +65,7 @@ void check_twins(const Vec3& gravity, Precision precision, double drag = 0)
     Schedule<Kinematics, AllPairs, EventQueue> pairs(state, counts);
     Schedule<Kinematics, AllPairs, LinearQueue> linear(state, counts);
     Schedule<Kinematics, CellGrid, LinearQueue> linear_grid(state, counts);
+    Schedule<Kinematics, NeighbourLists, EventQueue> lists(state, counts);
     int with_spheres = 0;
     for (int i = 0; i < 300; ++i) {
         const Key key = next_contact(grid, state, counts);
@@ -72,6 +73,7 @@ void check_twins(const Vec3& gravity, Precision precision, double drag = 0)
         REQUIRE(next_contact(pairs, state, counts) == key);
         REQUIRE(next_contact(linear, state, counts) == key);
         REQUIRE(next_contact(linear_grid, state, counts) == key);
+        REQUIRE(next_contact(lists, state, counts) == key);
         with_spheres += key.b.is_sphere();
         // Whoever meets somebody goes anywhere but on: what impacts do is another matter.
         std::vector<Change> changes;
@@ -83,14 +85,18 @@ void check_twins(const Vec3& gravity, Precision precision, double drag = 0)
         pairs.flights_changed(state, changes, key.time, counts);
         linear.flights_changed(state, changes, key.time, counts);
         linear_grid.flights_changed(state, changes, key.time, counts);
+        lists.flights_changed(state, changes, key.time, counts);
     }
     CHECK(with_spheres > 20);
     CHECK(counts.cell_crossings > 0);
+    CHECK(counts.list_rebuilds > 0);
 }
 
 }  // namespace
 
-TEST_CASE("without gravity the next contact does not depend on broad phase and queue")
+TEST_CASE(
+    "without gravity the next contact does not depend on broad phase and "
+    "queue")
 {
     check_twins<PlainKinematics<false>>(Vec3::Zero(), Precision::plain);
 }
@@ -106,12 +112,16 @@ TEST_CASE("under drag the next contact does not depend on broad phase and queue"
     check_twins<DampedKinematics>(Vec3::Zero(), Precision::plain, 0.02);
 }
 
-TEST_CASE("in certified runs the next contact does not depend on broad phase and queue")
+TEST_CASE(
+    "in certified runs the next contact does not depend on broad phase "
+    "and queue")
 {
     check_twins<CertifiedKinematics>({0.3, -0.2, -9.81}, Precision::certified);
 }
 
-TEST_CASE("kinematics in double and in double-double tell of the same contacts, the certified ones no later")
+TEST_CASE(
+    "kinematics in double and in double-double tell of the same "
+    "contacts, the certified ones no later")
 {
     int found = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -134,7 +144,9 @@ TEST_CASE("kinematics in double and in double-double tell of the same contacts, 
     CHECK(found > 200);
 }
 
-TEST_CASE("a rough time is not after the contact, however long the wait and however slight the touch")
+TEST_CASE(
+    "a rough time is not after the contact, however long the wait and "
+    "however slight the touch")
 {
     Random random(13);
     int rough = 0;
