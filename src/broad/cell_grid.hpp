@@ -40,6 +40,12 @@ public:
     {
         visit_block(body, {-1, -1, -1}, {1, 1, 1}, visit);
     }
+    /// The other bodies filed in the 125 cells around `body`: all whose centres are within two reaches.
+    template <class Visit>
+    void wide_neighbours(BodyId body, Visit&& visit) const
+    {
+        visit_block(body, {-2, -2, -2}, {2, 2, 2}, visit);
+    }
     /// The bodies filed in the 9 cells that came into view when `body` stepped along `axis`.
     template <class Visit>
     void new_neighbours(BodyId body, int axis, int direction, Visit&& visit) const

@@ -69,6 +69,7 @@ public:
     bool refine(const State&, const Next&, Counts&) const { return false; }
     void cross(const State&, const Key&, Counts&) {}
     std::span<const BodyId> neighbours(BodyId) const { return {}; }
+    std::span<const BodyId> wide_neighbours(BodyId) const { return {}; }
 
 private:
     struct Wall {

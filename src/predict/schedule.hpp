@@ -4,6 +4,7 @@
 /// bodies that may meet (BroadPhase), the first event (Queue).
 #pragma once
 
+#include "motion/window_piece.hpp"
 #include "predict/broad_phase.hpp"
 #include "predict/first_contact.hpp"
 #include "queue/event_queue.hpp"
@@ -99,8 +100,11 @@ public:
 
             const auto slot = static_cast<std::size_t>(crossing.a);
             Best best{queue_.key(slot), predictions_[slot], Kinematics::is_certified ? runner_up_[slot] : never};
-            broad_.new_neighbours(crossing.a, axis, direction,
-                                  [&](BodyId other) { offer<false>(state, crossing.a, other, best, counts); });
+            const bool some_in_piece = state.bodies.some_in_piece();
+            broad_.new_neighbours(crossing.a, axis, direction, [&](BodyId other) {
+                if (!some_in_piece || !are_kept_apart(state, crossing.a, other))
+                    offer<false>(state, crossing.a, other, best, counts);
+            });
             keep(slot, best);
             watch_cell(state, crossing.a, crossing.time, counts);
         }
@@ -111,6 +115,13 @@ public:
     {
         std::size_t count = 0;
         broad_.neighbours(body, [&](BodyId other) { found_[count++] = other; });
+        return {found_.data(), count};
+    }
+    /// The same, and all whose surfaces are up to the largest diameter apart.
+    std::span<const BodyId> wide_neighbours(BodyId body)
+    {
+        std::size_t count = 0;
+        broad_.wide_neighbours(body, [&](BodyId other) { found_[count++] = other; });
         return {found_.data(), count};
     }
 
@@ -153,10 +164,28 @@ private:
                                                  [](const Change& c, BodyId wanted) { return c.body < wanted; });
                 return at != asked.end() && at->body == other;
             };
-            for (const BodyId other : neighbours(body))
+            const bool some_in_piece = state.bodies.some_in_piece();
+            for (const BodyId other : neighbours(body)) {
+                if (some_in_piece && are_kept_apart(state, body, other)) continue;
                 if (asked.empty() || !was_asked(other)) offer<exact>(state, body, other, best, counts);
+            }
         }
         keep(static_cast<std::size_t>(body), best);
+    }
+
+    /// Whether a window of a heap keeps two bodies apart: they share it, or one stood still as the other's was taken.
+    /// Roots would find the rounding of bodies that touch.
+    static bool are_kept_apart(const State& state, BodyId a, BodyId b)
+    {
+        const bool a_is_in = state.bodies.is_in_heap_window(a), b_is_in = state.bodies.is_in_heap_window(b);
+        if (a_is_in && b_is_in) return state.bodies.share_window(a, b);
+        if (!a_is_in && !b_is_in) return false;
+        const BodyId still = a_is_in ? b : a, other = a_is_in ? a : b;
+        const auto* held = state.bodies.as<Held>(still);
+        if (!state.is_fixed(still) && !(held && held->rests)) return false;
+        const std::vector<BodyId>& known = state.bodies.as<Windowed>(other)->piece->near->bodies;
+        return state.flight(still).start <= state.flight(other).start &&
+               std::binary_search(known.begin(), known.end(), still);
     }
 
     void keep(std::size_t slot, const Best& best)
