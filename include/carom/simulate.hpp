@@ -82,6 +82,7 @@ struct EnergyTaken {
     double settling = 0;     ///< contacts declared persistent: their rest of normal speed
     double stabilising = 0;  ///< numeric clusters: gaps and closings put back to 0, and the error of the steps
     double guard = 0;        ///< windows of the guard
+    double window = 0;       ///< windows of heaps, with what e < 1 takes in them, landing at rest included
     double capped = 0;       ///< impacts whose operator met its bound, with what e < 1 takes
 };
 

@@ -19,6 +19,12 @@ public:
         for (BodyId other = body + 1; other < count_; ++other) visit(other);
     }
 
+    template <class Visit>
+    void wide_neighbours(BodyId body, Visit&& visit) const
+    {
+        neighbours(body, visit);
+    }
+
 private:
     BodyId count_;
 };

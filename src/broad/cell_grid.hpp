@@ -42,15 +42,13 @@ public:
     template <class Visit>
     void neighbours(BodyId body, Visit&& visit) const
     {
-        const Cell centre = cell(body);
-        for (int z = -1; z <= 1; ++z)
-            for (int y = -1; y <= 1; ++y)
-                for (int x = -1; x <= 1; ++x) {
-                    const Cell here{centre[0] + x, centre[1] + y, centre[2] + z};
-                    for (BodyId other = first_[entry(here)]; other != no_body;
-                         other = next_[static_cast<std::size_t>(other)])
-                        if (other != body && same(cells_[static_cast<std::size_t>(other)], here)) visit(other);
-                }
+        visit_around<1>(body, visit);
+    }
+    /// The other bodies filed in the 125 cells around `body`: all whose centres are within two reaches.
+    template <class Visit>
+    void wide_neighbours(BodyId body, Visit&& visit) const
+    {
+        visit_around<2>(body, visit);
     }
 
 private:
@@ -64,6 +62,21 @@ private:
     void unfile(BodyId body);
 
     Cell cell_of(const Vec3& position) const;
+
+    /// Visits the others filed at most so many cells away along each axis.
+    template <int cells, class Visit>
+    void visit_around(BodyId body, Visit&& visit) const
+    {
+        const Cell centre = cell(body);
+        for (int z = -cells; z <= cells; ++z)
+            for (int y = -cells; y <= cells; ++y)
+                for (int x = -cells; x <= cells; ++x) {
+                    const Cell here{centre[0] + x, centre[1] + y, centre[2] + z};
+                    for (BodyId other = first_[entry(here)]; other != no_body;
+                         other = next_[static_cast<std::size_t>(other)])
+                        if (other != body && same(cells_[static_cast<std::size_t>(other)], here)) visit(other);
+                }
+    }
 
     double cell_size_;  ///< few bits, so that a wall's position is exact [length]
     std::array<std::int64_t, 3> mask_{};

@@ -31,6 +31,12 @@ public:
     {
         for (const BodyId other : of(body)) visit(other);
     }
+    /// Others whose centres are within twice the largest sum of reaches, and some more.
+    template <class Visit>
+    void wide_neighbours(BodyId body, Visit&& visit) const
+    {
+        grid_.wide_neighbours(body, visit);
+    }
 
     /// Files a body at a position from the origin, and follows in the lists of others.
     void file(BodyId body, const Vec3& position);

@@ -61,6 +61,7 @@ void add_thresholds(const Scene& scene, const Outcome& outcome, Lines& lines)
                                        {"settling", taken.settling},
                                        {"numeric steps", taken.stabilising},
                                        {"guard", taken.guard},
+                                       {"windows", taken.window},
                                        {"capped impacts", taken.capped}})
         if (energy != 0) text += fmt::format("{}{} {:.3g}", text.empty() ? "" : ", ", name, energy);
     if (!text.empty()) lines.push_back({"energy taken", text});

@@ -4,7 +4,7 @@
 /// (docs/impacts.md, section 7).
 #pragma once
 
-#include "gather/tolerances.hpp"
+#include "gather/heap.hpp"
 #include "motion/state.hpp"
 
 #include <algorithm>
@@ -19,6 +19,7 @@ public:
     explicit ImpactRate(const State& state)
         : recent_(state.scene.spheres.size()),
           bound_(state.scene.guard.impacts),
+          heap_bound_(has_windows(state) ? std::min(bound_, hot_impacts) : bound_),
           group_bound_(static_cast<double>(bound_) * std::max(1.0, bounces_in_window / loss_of_longest(state))),
           length_(state.scene.guard.window.value_or(state.rest.numeric_step))
     {
@@ -32,13 +33,16 @@ public:
         const double window = number(state, now);
         if (window != all_.window) all_ = {window, 0, 0};
         ++all_.count;
-        if (recent.window != window) recent = {window, 0, bound_ + 1};
+        if (recent.window != window) recent = {window, 0, heap_bound_ + 1};
         return ++recent.count >= recent.next;
     }
 
     /// Number of bodies from which on a component cannot have had too many, for all bodies together have not had more;
     /// of a heap at least.
-    std::size_t enough() const { return std::max(largest_group, static_cast<std::size_t>(all_.count / bound_)) + 1; }
+    std::size_t enough() const
+    {
+        return std::max(largest_group, static_cast<std::size_t>(all_.count / heap_bound_)) + 1;
+    }
 
     /// Whether these bodies together have had more than B events a body within the window. From then until its end each
     /// further event is one too many. \pre add has just asked for one of them
@@ -50,7 +54,7 @@ public:
             const Recent& recent = recent_[static_cast<std::size_t>(body)];
             if (recent.window == window) sum += recent.count;
         }
-        const double bound = component.size() > largest_group ? static_cast<double>(bound_) : group_bound_;
+        const double bound = component.size() > largest_group ? static_cast<double>(heap_bound_) : group_bound_;
         const double left =
             bound - static_cast<double>(sum) / static_cast<double>(component.size());  // for each of them
         for (const BodyId body : component) {
@@ -82,6 +86,7 @@ private:
     std::vector<Recent> recent_;  ///< by body: events in the current window
     Recent all_;                  ///< of all bodies
     std::int64_t bound_;          ///< B
+    std::int64_t heap_bound_;     ///< B of heaps
     double group_bound_;          ///< B of bodies that are in no heap
     double length_;               ///< of a window [time]
 };

@@ -49,7 +49,8 @@ FlightRecord Ledger::record_of(const State& state, BodyId body)
         for (std::size_t k = 0; k < 3; ++k) record.own[k] = state.acceleration(f)[static_cast<Eigen::Index>(k)];
     }
     record.mode = mode_of(motion);
-    record.guarded = std::holds_alternative<Windowed>(motion);
+    // A parabola in a window is a piece as numeric steps are.
+    record.guarded = std::holds_alternative<Windowed>(motion) && f.acceleration == Accelerations::none;
     if (state.bodies.is_held_by_several(body)) record.support = several_supports;
     if (const std::optional<int> carrier = carrier_of(motion)) record.support = *carrier;
     if (const auto* bouncing = std::get_if<Bouncing>(&motion)) {
@@ -95,6 +96,7 @@ void Ledger::add(const EventOutcome& outcome)
     out.energy_taken.settling += outcome.taken.settling;
     out.energy_taken.stabilising += outcome.taken.stabilising;
     out.energy_taken.guard += outcome.taken.guard;
+    out.energy_taken.window += outcome.taken.window;
     out.energy_taken.capped += outcome.taken.capped;
     if (!outcome.early_rest) return;
     ++out.counts.early_rests;

@@ -2,6 +2,7 @@
 
 #include "contact/contact_problem.hpp"
 #include "event_driven/tolerances.hpp"
+#include "hold/heap_windows.hpp"
 #include "hold/hold_component.hpp"
 #include "hold/rest_policy.hpp"
 #include "impact/resolve_cluster.hpp"
@@ -194,7 +195,13 @@ private:
 
 void resolve_component(const State& state, const Key& key, const Neighbourhood& neighbourhood, EventOutcome& out)
 {
-    Resolver(state, gather(state, key, neighbourhood), key.time, key, out).go();
+    ContactComponent component = gather(state, key, neighbourhood);
+    for (const ContactBody& body : component.problem.bodies)
+        if (is_in_windows(state, body.id)) {
+            out.in_windows = body.id;
+            return;
+        }
+    Resolver(state, std::move(component), key.time, key, out).go();
 }
 
 std::vector<EventOutcome> begin_components(const State& state)

@@ -7,7 +7,9 @@
 #include "event_driven/ledger.hpp"
 #include "event_driven/resolve.hpp"
 #include "event_driven/tolerances.hpp"
+#include "gather/heap.hpp"
 #include "hold/guard.hpp"
+#include "hold/heap_windows.hpp"
 #include "hold/numeric_motion.hpp"
 #include "hold/support.hpp"
 #include "motion/moment.hpp"
@@ -31,6 +33,7 @@ public:
           schedule_(begin(), ledger_.out.counts),
           rate_(state_),
           neighbourhood_(*this),
+          wide_neighbourhood_(*this),
           deadline_(deadline(options))
     {
     }
@@ -63,6 +66,13 @@ private:
         {
             return run.schedule_.is_alone(run.state_, body, partner, now);
         }
+        Run& run;
+    };
+    /// The same for what looks further.
+    struct WideSurroundings final : Neighbourhood {
+        explicit WideSurroundings(Run& its_run) : run(its_run) {}
+        std::span<const BodyId> operator()(BodyId body) const override { return run.schedule_.wide_neighbours(body); }
+        bool is_alone(BodyId, Partner, const EpochTime&) const override { return false; }
         Run& run;
     };
 
@@ -110,8 +120,14 @@ private:
                 if (bounces.lose_energy) hit_.push_back(key.a);
                 return watch(key, hit_);
             }
+        if (is_of_windows(key)) return take_windows(bodies_of(key));
         outcome_.clear();
         const bool alone = resolve(state_, key, neighbourhood_, outcome_);
+        if (outcome_.in_windows != no_body) {
+            HeapEvent event = bodies_of(key);
+            event.bodies.push_back(outcome_.in_windows);
+            return take_windows(event);
+        }
         if (comes_to_rest(outcome_)) return zeno(key);
         commit(outcome_);
         for (const Change& change : outcome_.changes) ledger_.show_flight(state_, change.body);
@@ -122,6 +138,29 @@ private:
             if (key.b.is_sphere()) hit_.push_back(key.b.index);
         }
         return hit_.empty() ? limits() : watch(key, hit_);
+    }
+
+    bool is_of_windows(const Key& key) const
+    {
+        const bool impact = key.kind == Scheduled::pair_impact || key.kind == Scheduled::plane_impact;
+        if (!impact && key.kind != Scheduled::piece_end) return false;
+        return is_in_windows(state_, key.a) || (key.b.is_sphere() && is_in_windows(state_, key.b.index));
+    }
+
+    static HeapEvent bodies_of(const Key& key)
+    {
+        HeapEvent event{{key.a}};
+        if (key.b.is_sphere()) event.bodies.push_back(key.b.index);
+        return event;
+    }
+
+    Status take_windows(const HeapEvent& event)
+    {
+        const EventOutcome windows = heap_windows(state_, event, now_, wide_neighbourhood_);
+        commit(windows);
+        for (const Change& change : windows.changes) ledger_.show_flight(state_, change.body);
+        schedule_.flights_changed(state_, windows.changes, now_, ledger_.out.counts);
+        return limits();
     }
 
     /// Whether a body comes to rest, which ends a run under policy none.
@@ -149,6 +188,7 @@ private:
             if (state_.scene.rest.policy == RestPolicy::none) return zeno(key);
             if (!state_.scene.guard.on)
                 return stop(Status::unresolved, "impacts of " + names(key) + " accumulate, and the guard is off");
+            if (is_hot_heap(body)) return take_windows({{body}, true});
             const EventOutcome window = guard(state_, body, now_, neighbourhood_);
             commit(window);
             for (const Change& change : window.changes) ledger_.show_flight(state_, change.body);
@@ -156,6 +196,12 @@ private:
             break;
         }
         return limits();
+    }
+
+    /// Whether the body is of a heap for which there are windows.
+    bool is_hot_heap(BodyId body) const
+    {
+        return has_windows(state_) && is_in_heap(state_, body, now_, neighbourhood_);
     }
 
     /// Carries an outcome into the state and the books: the one place where motions change, but for streaks of
@@ -284,6 +330,7 @@ private:
     Schedule schedule_;
     ImpactRate rate_;
     const Surroundings neighbourhood_;
+    const WideSurroundings wide_neighbourhood_;
     std::optional<Clock::time_point> deadline_;
     std::size_t next_sample_ = 0;
     std::int64_t looked_at_ = 0;

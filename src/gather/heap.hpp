@@ -11,6 +11,15 @@ namespace carom {
 /// whose ends are all that is exact in it.
 bool is_in_heap(const State& state, BodyId body, const EpochTime& now, const Neighbourhood& neighbourhood);
 
+/// Whether heaps of the run go on in windows once they are hot (docs/windows.md). Windows know no drag, and calm by
+/// gravity.
+inline bool has_windows(const State& state)
+{
+    return state.loses_energy && !(state.drag > 0) && state.scene.guard.on &&
+           state.scene.guard.fallback == GuardFallback::moreau && state.scene.rest.policy == RestPolicy::contact &&
+           state.bodies.accelerations().has_gravity();
+}
+
 /// Whether infinitely many bounces with this restitution, below 1, are few enough to be carried out until rounding.
 inline bool bounces_end(double restitution)
 {

@@ -24,6 +24,8 @@ struct EventTally {
     bool capped = false;     ///< see ClusterImpact
     bool dies_out = false;   ///< see LoneImpact
     std::optional<EarlyRest> early_rest;
+    /// A body of the component that goes on in windows, which this event is for then; no_body if there is none.
+    BodyId in_windows = no_body;
     double penetration = 0;  ///< of contacts at this instant, and of the parabolas of numeric pieces, >= 0 [length]
 };
 

@@ -43,11 +43,8 @@ Json counts_json(const Counts& c)
 
 Json energy_taken_json(const EnergyTaken& taken)
 {
-    return {{"closing", taken.closing},
-            {"settling", taken.settling},
-            {"stabilising", taken.stabilising},
-            {"guard", taken.guard},
-            {"capped", taken.capped}};
+    return {{"closing", taken.closing}, {"settling", taken.settling}, {"stabilising", taken.stabilising},
+            {"guard", taken.guard},     {"window", taken.window},     {"capped", taken.capped}};
 }
 
 Json early_rest_json(const Scene& scene, const std::optional<EarlyRest>& early)

@@ -40,6 +40,18 @@ public:
     /// Whether some body is in a numeric step or a window of the guard.
     bool some_in_piece() const { return in_piece_ > 0; }
     bool is_in_piece(BodyId body) const { return is_piece(kind(body)); }
+    /// Whether the body is in a window of a heap, which knows all planes that it could reach.
+    bool is_in_heap_window(BodyId body) const
+    {
+        const auto* window = as<Windowed>(body);
+        return window && window->piece;
+    }
+    /// Whether both go on in the same window, in which they do not meet.
+    bool share_window(BodyId a, BodyId b) const
+    {
+        const auto *of_a = as<Windowed>(a), *of_b = as<Windowed>(b);
+        return of_a && of_b && of_a->piece && of_a->piece == of_b->piece;
+    }
     /// Whether spheres or several planes hold the body, or it is in a piece.
     bool is_held_by_several(BodyId body) const { return carom::is_held_by_several(kind(body)); }
 

@@ -1,6 +1,7 @@
 #include "motion/moment.hpp"
 
 #include "motion/relative.hpp"
+#include "motion/window_piece.hpp"
 
 namespace carom {
 
@@ -12,13 +13,26 @@ void place(const State& state, const Stepping& stepping, const NumericBody& at, 
     f.velocity = at.velocity;
 }
 
+/// The velocity within a window that is interrupted: what pushes and rebounds change grows in it from nothing. So
+/// momentum is kept, and energy, a convex function of it, does not grow (docs/windows.md).
+Vec3 within_window(const State& state, const Windowed& window, const Flight& flight, const EpochTime& now)
+{
+    const double time = state.frame.between(flight.start, now);
+    const Vec3& before = window.piece->velocities[window.index];
+    if (flight.acceleration != Accelerations::none) return before + time * state.acceleration(flight);
+    return before + (time / window.piece->length) * (window.end_velocity - before);
+}
+
 }  // namespace
 
 Flight Moment::flight(BodyId body)
 {
     Flight f = advanced(state_, body, now_);
     if (const auto* window = state_.bodies.as<Windowed>(body)) {
-        if (now_ == window->end) f.velocity = window->end_velocity;
+        if (now_ == window->end)
+            f.velocity = window->end_velocity;
+        else if (window->piece)
+            f.velocity = within_window(state_, *window, state_.flight(body), now_);
     } else if (const auto* stepping = state_.bodies.as<Stepping>(body)) {
         const EpochTime& start = state_.flight(body).start;
         if (now_ != start) place(state_, *stepping, bodies(*stepping, start)[stepping->index], f);

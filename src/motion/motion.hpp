@@ -13,6 +13,7 @@
 namespace carom {
 
 struct NumericPiece;
+struct WindowPiece;
 
 /// The alternatives of Motion, in their order.
 enum class MotionKind : std::uint8_t { fixed, flying, bouncing, leaning, held, stepping, windowed };
@@ -44,6 +45,7 @@ struct Held {
     static constexpr MotionKind kind = MotionKind::held;
     Vec3 acceleration = Vec3::Zero();  ///< its own [length/time^2]
     bool rests = false;
+    bool landed = false;  ///< it came to rest in windows: impacts on its heap are for them
 };
 
 /// One step of a numeric cluster. The flight that goes with it is the parabola that stands for the piece.
@@ -60,6 +62,8 @@ struct Windowed {
     static constexpr MotionKind kind = MotionKind::windowed;
     EpochTime end;
     Vec3 end_velocity = Vec3::Zero();  ///< [length/time]
+    std::shared_ptr<const WindowPiece> piece{};
+    std::size_t index = 0;  ///< of the body in the piece
 };
 
 using Motion = std::variant<Fixed, Flying, Bouncing, Leaning, Held, Stepping, Windowed>;

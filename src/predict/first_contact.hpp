@@ -30,6 +30,7 @@ void offer_planes(const State& state, BodyId body, Counts& counts, const EpochTi
         carrier = carrier_of(state.bodies.motion(body));
         if (const Key end = own_end(state, body); end.time != never) take(end, false);
     }
+    if (state.bodies.is_in_heap_window(body)) return;  // it reaches no plane
     const bool several = state.bodies.is_held_by_several(body);
     const Moving sphere = moving(state, body);
     counts.pair_tests += state.planes();

@@ -71,6 +71,7 @@ public:
     void leave(const State&, const Key&, Counts&) {}
     std::span<const BodyId> neighbours(BodyId) const { return {}; }
     bool is_alone(const State&, BodyId, Partner, const EpochTime&) const { return false; }
+    std::span<const BodyId> wide_neighbours(BodyId) const { return {}; }
 
 private:
     struct Wall {

@@ -4,6 +4,7 @@
 /// bodies that may meet (BroadPhase), the first event (Queue).
 #pragma once
 
+#include "motion/window_piece.hpp"
 #include "predict/broad_phase.hpp"
 #include "predict/first_contact.hpp"
 #include "predict/leaving.hpp"
@@ -136,6 +137,13 @@ public:
         for (const BodyId other : tracks_.in_reach(state, own, age, neighbours(body), left_))
             if (partner != Partner::sphere(other)) return false;
         return true;
+    }
+    /// As `neighbours`, and all whose surfaces are up to the largest diameter apart.
+    std::span<const BodyId> wide_neighbours(BodyId body)
+    {
+        std::size_t count = 0;
+        broad_.wide_neighbours(body, [&](BodyId other) { found_[count++] = other; });
+        return {found_.data(), count};
     }
 
 private:
@@ -286,6 +294,21 @@ private:
         }
     }
 
+    /// Whether a window of a heap keeps two bodies apart: they share it, or one stood still as the other's was taken.
+    /// Roots would find the rounding of bodies that touch.
+    static bool are_kept_apart(const State& state, BodyId a, BodyId b)
+    {
+        const bool a_is_in = state.bodies.is_in_heap_window(a), b_is_in = state.bodies.is_in_heap_window(b);
+        if (a_is_in && b_is_in) return state.bodies.share_window(a, b);
+        if (!a_is_in && !b_is_in) return false;
+        const BodyId still = a_is_in ? b : a, other = a_is_in ? a : b;
+        const auto* held = state.bodies.as<Held>(still);
+        if (!state.is_fixed(still) && !(held && held->rests)) return false;
+        const std::vector<BodyId>& known = state.bodies.as<Windowed>(other)->piece->near->bodies;
+        return state.flight(still).start <= state.flight(other).start &&
+               std::binary_search(known.begin(), known.end(), still);
+    }
+
     void keep(std::size_t slot, const Best& best)
     {
         if (best.key != queue_.key(slot)) queue_.set(slot, best.key);
@@ -305,6 +328,7 @@ private:
     template <bool exact>
     void offer(const State& state, BodyId body, BodyId other, Best& best, Counts& counts) const
     {
+        if (state.bodies.some_in_piece() && are_kept_apart(state, body, other)) return;
         const BodyId a = std::min(body, other), b = std::max(body, other);
         const ContactTime contact = Kinematics::pair_time(state, a, b, limit(best));
         if (!contact.comes) return;

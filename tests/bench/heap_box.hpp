@@ -1,5 +1,5 @@
 /// \file
-/// Balls in one open box, and lists of those that are near each other: what a driver of windows needs around them.
+/// Balls in one open box.
 #pragma once
 
 #include "core/random.hpp"
@@ -18,52 +18,6 @@ struct Box {
     std::vector<WindowBody> balls;
     std::vector<WindowPlane> planes;
     double side = 0;
-};
-
-/// Buckets of the balls' centres in a square box of a side, of any height.
-class Buckets {
-public:
-    Buckets(const std::vector<WindowBody>& balls, double side, double least)
-        : across_(std::max(1, static_cast<int>(side / least))), size_(side / across_), high_(least)
-    {
-        double top = 0;
-        for (const WindowBody& ball : balls) top = std::max(top, ball.place.z());
-        layers_ = static_cast<int>(top / high_) + 1;
-        members_.resize(static_cast<std::size_t>(across_) * static_cast<std::size_t>(across_) *
-                        static_cast<std::size_t>(layers_));
-        for (std::size_t i = 0; i < balls.size(); ++i)
-            members_[index(cell(balls[i].place))].push_back(static_cast<int>(i));
-    }
-
-    template <class Visit>
-    void near(const Vec3& place, Visit&& visit) const
-    {
-        const auto [x, y, z] = cell(place);
-        for (int i = std::max(0, x - 1); i <= std::min(across_ - 1, x + 1); ++i)
-            for (int j = std::max(0, y - 1); j <= std::min(across_ - 1, y + 1); ++j)
-                for (int k = std::max(0, z - 1); k <= std::min(layers_ - 1, z + 1); ++k)
-                    for (const int ball : members_[index({i, j, k})]) visit(ball);
-    }
-
-private:
-    using Cell = std::array<int, 3>;
-    Cell cell(const Vec3& p) const
-    {
-        const auto along = [](double x, double size, int count) {
-            return std::clamp(static_cast<int>(x / size), 0, count - 1);
-        };
-        return {along(p.x(), size_, across_), along(p.y(), size_, across_), along(p.z(), high_, layers_)};
-    }
-    std::size_t index(const Cell& c) const
-    {
-        return (static_cast<std::size_t>(c[0]) * static_cast<std::size_t>(across_) + static_cast<std::size_t>(c[1])) *
-                   static_cast<std::size_t>(layers_) +
-               static_cast<std::size_t>(c[2]);
-    }
-
-    int across_, layers_ = 1;
-    double size_, high_;
-    std::vector<std::vector<int>> members_;
 };
 
 /// Radii of 8 to 16 mm, `layers` deep when settled, at first a fifth of the volume, at rest in the air.

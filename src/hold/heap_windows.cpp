@@ -1,0 +1,341 @@
+#include "hold/heap_windows.hpp"
+
+#include "gather/component.hpp"
+#include "hold/near_pairs.hpp"
+#include "hold/tolerances.hpp"
+#include "hold/window_part.hpp"
+#include "math/disjoint_sets.hpp"
+#include "motion/height.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace carom {
+
+namespace {
+
+std::size_t at(int i)
+{
+    return static_cast<std::size_t>(i);
+}
+
+class HeapWindows {
+public:
+    HeapWindows(const State& state, const HeapEvent& event, const EpochTime& now, const Neighbourhood& wide)
+        : state_(state), event_(event), now_(now), moment_(state, now), wide_(wide)
+    {
+        for (const BodyId body : event.bodies) seed(body);
+        std::sort(seeds_.begin(), seeds_.end());
+    }
+
+    EventOutcome go()
+    {
+        for (const auto& piece : pieces_) end(*piece);
+        // Each restart wakes bodies, or asks for a longer list.
+        while (!attempt()) {
+        }
+        const auto by_body = [](const Change& x, const Change& y) { return x.body < y.body; };
+        std::sort(out_.changes.begin(), out_.changes.end(), by_body);
+        return std::move(out_);
+    }
+
+private:
+    void seed(BodyId body)
+    {
+        if (state_.is_fixed(body)) return;
+        const auto* held = state_.bodies.as<Held>(body);
+        if (held && held->rests) return;  // until something wakes it
+        const auto* window = state_.bodies.as<Windowed>(body);
+        if (!window || !window->piece) {
+            if (std::find(seeds_.begin(), seeds_.end(), body) == seeds_.end()) seeds_.push_back(body);
+            return;
+        }
+        if (std::find(pieces_.begin(), pieces_.end(), window->piece) != pieces_.end()) return;
+        pieces_.push_back(window->piece);
+        seeds_.insert(seeds_.end(), window->piece->bodies.begin(), window->piece->bodies.end());
+    }
+
+    bool is_interrupted(const WindowPiece& piece) const
+    {
+        return state_.bodies.as<Windowed>(piece.bodies.front())->end != now_;
+    }
+
+    /// Ends a window: the books have what it takes in all of its length; a landing that is over rests.
+    void end(const WindowPiece& piece)
+    {
+        if (is_interrupted(piece)) {
+            double taken = 0;
+            for (std::size_t k = 0; k < piece.bodies.size(); ++k) {
+                const BodyId body = piece.bodies[k];
+                const Flight& before = state_.flight(body);
+                const Flight after = moment_.flight(body);
+                taken += energy_taken(state_, body, {piece.velocities[k], after.velocity},
+                                      separation(state_.frame, after.place, before.place));
+            }
+            out_before_.taken.window -= piece.taken - taken;
+            return;
+        }
+        if (piece.landing && piece.landing->move + 1 == piece.landing->course->moves.size())
+            rest(*piece.landing->course);
+    }
+
+    void rest(const LandingCourse& course)
+    {
+        std::map<BodyId, std::vector<PersistentContact>> contacts;
+        for (const ContactForce& c : course.forces) {
+            const bool first = std::binary_search(course.bodies.begin(), course.bodies.end(), c.a);
+            if (first) contacts[c.a].push_back({c.b, c.force});
+            if (c.b.is_sphere() && std::binary_search(course.bodies.begin(), course.bodies.end(), c.b.index))
+                contacts[c.b.index].push_back({Partner::sphere(c.a), c.force});
+            out_before_.events.push_back(contact_event(EventKind::rest, c.a, c.b));
+        }
+        for (const BodyId body : course.bodies) {
+            Change change{body, moment_.flight(body), Held{Vec3::Zero(), true, true}, contacts[body]};
+            change.flight.velocity = Vec3::Zero();
+            change.flight.acceleration = Accelerations::none;
+            out_before_.changes.push_back(change);
+            std::erase(seeds_, body);
+        }
+        landed_.insert(landed_.end(), course.bodies.begin(), course.bodies.end());
+        std::sort(landed_.begin(), landed_.end());
+    }
+
+    Event contact_event(EventKind kind, BodyId a, Partner b)
+    {
+        const Contact contact = b.is_plane()
+                                    ? plane_contact(state_, a, moment_.flight(a), b.index)
+                                    : sphere_contact(state_, a, moment_.flight(a), b.index, moment_.flight(b.index));
+        const BodyId other = state_.body_of(b);
+        if (a < other) return {kind, {}, 0, a, other, contact.normal, Vec3::Zero()};
+        return {kind, {}, 0, other, a, -contact.normal, Vec3::Zero()};
+    }
+
+    bool rests(BodyId body) const
+    {
+        if (std::binary_search(landed_.begin(), landed_.end(), body)) return true;
+        const auto* held = state_.bodies.as<Held>(body);
+        return held && held->rests && !std::binary_search(woken_.begin(), woken_.end(), body);
+    }
+    bool stands_still(BodyId body) const { return state_.is_fixed(body) || rests(body); }
+
+    bool attempt()
+    {
+        out_ = out_before_;
+        if (seeds_.empty()) return true;
+        find_list();
+        WindowBodies bodies = load();
+        DisjointSets sets(bodies.list->bodies.size());
+        std::vector<char> near_rest(bodies.list->bodies.size(), 0);
+        for (std::size_t k = 0; k < bodies.list->pairs.size(); ++k) {
+            const NearPair& pair = bodies.list->pairs[k];
+            if (pair.b.is_plane() || !bodies.is_close(k)) continue;
+            const int a = pair.a, b = pair.b.index;
+            if (!bodies.still[at(a)] && !bodies.still[at(b)])
+                sets.join(at(a), at(b));
+            else if (!bodies.still[at(a)])
+                near_rest[at(a)] = near_rest[at(a)] || rests(bodies.list->bodies[at(b)]);
+            else if (!bodies.still[at(b)])
+                near_rest[at(b)] = near_rest[at(b)] || rests(bodies.list->bodies[at(a)]);
+        }
+        for (const auto& piece : pieces_)
+            if (piece->landing && !is_interrupted(*piece)) join(sets, bodies, piece->landing->course->bodies);
+        const WindowHistory past = history();
+        struct Part {
+            std::vector<int> bodies;
+            bool is_concerned = false, is_at_rest = false;
+        };
+        std::map<std::size_t, Part> parts;
+        for (std::size_t i = 0; i < bodies.list->bodies.size(); ++i) {
+            if (bodies.still[i]) continue;
+            Part& part = parts[sets.smallest(i)];
+            part.bodies.push_back(static_cast<int>(i));
+            part.is_concerned =
+                part.is_concerned || std::binary_search(seeds_.begin(), seeds_.end(), bodies.list->bodies[i]);
+            part.is_at_rest = part.is_at_rest || near_rest[i];
+        }
+        for (const auto& [first, part] : parts) {
+            if (!part.is_concerned) continue;
+            if (part.bodies.size() <= largest_group && !part.is_at_rest && !event_.accumulates) {
+                release(bodies, part.bodies);
+                continue;
+            }
+            const PartOutcome outcome = take_window_of_part(state_, now_, bodies, part.bodies, past, out_);
+            if (outcome.next == PartOutcome::Next::lists) {
+                wanted_skin_ = std::max(wanted_skin_, outcome.skin);
+                fresh_ = true;
+                return false;
+            }
+            if (outcome.next == PartOutcome::Next::wakes) {
+                wake(outcome.woken);
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Bodies of a landing belong together also where they are apart on the way. (A body that has landed is no more in
+    /// it.)
+    static void join(DisjointSets& sets, const WindowBodies& all, const std::vector<BodyId>& bodies)
+    {
+        std::optional<std::size_t> first;
+        for (const BodyId body : bodies) {
+            const auto found = std::lower_bound(all.list->bodies.begin(), all.list->bodies.end(), body);
+            if (found == all.list->bodies.end() || *found != body) continue;
+            const auto number = static_cast<std::size_t>(found - all.list->bodies.begin());
+            if (all.still[number]) continue;
+            if (first) sets.join(*first, number);
+            first = number;
+        }
+    }
+
+    WindowHistory history() const
+    {
+        WindowHistory out;
+        for (const auto& piece : pieces_) {
+            out.pieces.push_back(piece);
+            out.is_interrupted.push_back(is_interrupted(*piece));
+        }
+        out.woken = woken_;
+        return out;
+    }
+
+    /// Bodies of a part that is no heap fly on.
+    void release(const WindowBodies& bodies, const std::vector<int>& part)
+    {
+        for (const int i : part) {
+            const BodyId body = bodies.list->bodies[at(i)];
+            if (!std::binary_search(seeds_.begin(), seeds_.end(), body)) continue;
+            const MotionKind kind = state_.bodies.kind(body);
+            if (kind != MotionKind::windowed && !std::binary_search(woken_.begin(), woken_.end(), body)) continue;
+            Change change{body, bodies.flights[at(i)], Flying{}};
+            change.flight.acceleration = state_.bodies.accelerations().free();
+            out_.changes.push_back(change);
+        }
+    }
+
+    /// Wakes all that persistent contacts connect with a body.
+    void wake(BodyId first)
+    {
+        std::vector<BodyId> frontier{first};
+        std::vector<char> known(static_cast<std::size_t>(state_.count()), 0);
+        known[static_cast<std::size_t>(first)] = 1;
+        for (std::size_t k = 0; k < frontier.size(); ++k)
+            for (const PersistentContact& c : state_.bodies.contacts().of(frontier[k])) {
+                if (frontier[k] < c.partner.index || c.partner.is_plane() || state_.is_fixed(c.partner.index))
+                    out_before_.events.push_back(contact_event(EventKind::release, frontier[k], c.partner));
+                if (!c.partner.is_sphere() || state_.is_fixed(c.partner.index)) continue;
+                char& its = known[static_cast<std::size_t>(c.partner.index)];
+                if (!its) frontier.push_back(c.partner.index);
+                its = 1;
+            }
+        if (std::binary_search(landed_.begin(), landed_.end(), first)) {  // at this very moment: it does not
+            frontier = landed_;
+            std::erase_if(out_before_.events, [](const Event& e) { return e.kind == EventKind::rest; });
+        }
+        for (const BodyId body : frontier) {
+            std::erase_if(out_before_.changes, [&](const Change& c) { return c.body == body; });
+            std::erase(landed_, body);
+            woken_.push_back(body);
+            seeds_.push_back(body);
+        }
+        std::sort(woken_.begin(), woken_.end());
+        std::sort(seeds_.begin(), seeds_.end());
+        fresh_ = true;
+    }
+
+    void find_list()
+    {
+        if (list_ && !fresh_) return;
+        double fastest = 0, smallest = state_.radius(seeds_.front());
+        for (const BodyId body : seeds_) {
+            fastest = std::max(fastest, moment_.flight(body).velocity.norm());
+            smallest = std::min(smallest, state_.radius(body));
+        }
+        const double hot = hot_length(state_), way = hot * (fastest + hot * state_.gravity().norm());
+        if (!fresh_ && pieces_.size() == 1 && landed_.empty() && lasts(*pieces_.front()->near, way)) {
+            list_ = pieces_.front()->near;
+            return;
+        }
+        const double skin = std::max({least_skin * smallest, ways_in_skin * way, wanted_skin_});
+        list_ = list_near(
+            state_, moment_, seeds_, std::min(skin, widest_skin(state_)),
+            [this](BodyId body) { return stands_still(body); }, wide_);
+        fresh_ = false;
+    }
+
+    /// Whether a list has all pairs that may meet while bodies go that way.
+    bool lasts(const NearPairs& list, double way)
+    {
+        for (const BodyId body : seeds_)
+            if (!std::binary_search(list.bodies.begin(), list.bodies.end(), body)) return false;
+        double farthest = 0;
+        for (std::size_t i = 0; i < list.bodies.size(); ++i) {
+            if (list.still[i] && !stands_still(list.bodies[i])) return false;
+            const Vec3 moved = separation(state_.frame, moment_.flight(list.bodies[i]).place, list.places[i]);
+            farthest = std::max(farthest, moved.norm());
+        }
+        return farthest + way <= list.skin / 2;
+    }
+
+    WindowBodies load()
+    {
+        WindowBodies out;
+        out.list = list_;
+        const Place centre = moment_.flight(list_->bodies.front()).place;
+        for (std::size_t i = 0; i < list_->bodies.size(); ++i) {
+            const BodyId body = list_->bodies[i];
+            const bool still = stands_still(body);
+            out.still.push_back(still);
+            out.flights.push_back(moment_.flight(body));
+            if (still) out.flights.back().velocity = Vec3::Zero();
+            WindowBody each;
+            each.place = separation(state_.frame, out.flights.back().place, centre);
+            each.velocity = out.flights.back().velocity;
+            each.acceleration = still ? Vec3(Vec3::Zero()) : state_.gravity();
+            each.inverse_mass = still ? 0 : state_.inverse_mass(body);
+            each.radius = state_.radius(body);
+            out.bodies.push_back(each);
+            out.moved.push_back(separation(state_.frame, out.flights.back().place, list_->places[i]).norm());
+        }
+        for (int p = 0; p < state_.planes(); ++p) {
+            const Plane& plane = state_.plane(p);
+            WindowPlane each;
+            each.normal = plane.normal;
+            each.offset = -signed_height(state_.frame, plane, centre).high;
+            if (plane.thickness) each.half_thickness = *plane.thickness / 2;
+            out.planes.push_back(each);
+        }
+        out.hot = hot_length(state_);
+        return out;
+    }
+
+    const State& state_;
+    const HeapEvent& event_;
+    const EpochTime now_;
+    Moment moment_;
+    const Neighbourhood& wide_;
+    std::vector<std::shared_ptr<const WindowPiece>> pieces_;  ///< that end, or are interrupted
+    std::vector<BodyId> seeds_;                               ///< bodies that must get a motion, ascending
+    std::vector<BodyId> woken_, landed_;                      ///< ascending
+    std::shared_ptr<const NearPairs> list_;
+    bool fresh_ = false;       ///< a new list must be made
+    double wanted_skin_ = 0;   ///< [length]
+    EventOutcome out_before_;  ///< of what ended
+    EventOutcome out_;
+};
+
+}  // namespace
+
+bool is_in_windows(const State& state, BodyId body)
+{
+    if (const auto* window = state.bodies.as<Windowed>(body)) return window->piece != nullptr;
+    const auto* held = state.bodies.as<Held>(body);
+    return held && held->landed;
+}
+
+EventOutcome heap_windows(const State& state, const HeapEvent& event, const EpochTime& now, const Neighbourhood& wide)
+{
+    return HeapWindows(state, event, now, wide).go();
+}
+
+}  // namespace carom

@@ -1,0 +1,463 @@
+#include "hold/window_part.hpp"
+
+#include "gather/tolerances.hpp"
+#include "hold/landing_course.hpp"
+#include "hold/tolerances.hpp"
+#include "window/contact_geometry.hpp"
+#include "window/window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+std::size_t at(int i)
+{
+    return static_cast<std::size_t>(i);
+}
+
+class PartWindow {
+public:
+    PartWindow(const State& state, const EpochTime& now, const WindowBodies& all, const std::vector<int>& part,
+               const WindowHistory& history, EventOutcome& out)
+        : state_(state),
+          now_(now),
+          all_(all),
+          part_(part),
+          history_(history),
+          out_(out),
+          gravity_(state.gravity().norm())
+    {
+    }
+
+    PartOutcome take()
+    {
+        enter();
+        find_forces();
+        find_heat();
+        remember();
+        if (course_) return follow_course();
+        options_ = hot();
+        if (is_calm()) {
+            if (all_.list->skin < calm_skin * all_.list->smallest) {
+                PartOutcome longer;
+                longer.next = PartOutcome::Next::lists;
+                longer.skin = calm_skin * all_.list->smallest;
+                return longer;
+            }
+            if (may_land()) {
+                if (land_now()) {
+                    if (const auto other = carrier_at_rest()) return wakes(*other);
+                    return follow_course();
+                }
+            }
+            options_.solver = WindowSolver::exact;
+            options_.length = std::clamp(calm_way * all_.list->smallest / std::max(fastest_, least_calm_speed()),
+                                         shortest_calm * all_.hot, longest_calm * all_.hot);
+        }
+        return take_ordinary();
+    }
+
+private:
+    BodyId id(int local) const { return all_.list->bodies[at(local)]; }
+    /// The scene's name of a pair's partner.
+    Partner partner_id(Partner b) const { return b.is_plane() ? b : Partner::sphere(id(b.index)); }
+
+    void enter()
+    {
+        number_.assign(all_.list->bodies.size(), -1);
+        problem_.planes = all_.planes;
+        for (const int i : part_) {
+            number_[at(i)] = static_cast<int>(problem_.bodies.size());
+            problem_.bodies.push_back(all_.bodies[at(i)]);
+            local_.push_back(i);
+        }
+        for (std::size_t k = 0; k < all_.list->pairs.size(); ++k) {
+            NearPair pair = all_.list->pairs[k];
+            // It may have come to rest since the list was made.
+            if (all_.still[at(pair.a)] && pair.b.is_sphere()) pair = {pair.b.index, Partner::sphere(pair.a)};
+            if (all_.still[at(pair.a)] || number_[at(pair.a)] < 0) continue;
+            Partner b = pair.b;
+            if (b.is_sphere()) {
+                int& number = number_[at(b.index)];
+                if (number < 0 && !all_.still[at(b.index)]) continue;  // of another part: they meet by roots
+                if (number < 0) {
+                    number = static_cast<int>(problem_.bodies.size());
+                    problem_.bodies.push_back(all_.bodies[at(b.index)]);
+                    local_.push_back(b.index);
+                }
+                b.index = number;
+            }
+            problem_.contacts.push_back(
+                {number_[at(pair.a)], b, state_.law(id(pair.a), partner_id(pair.b)).restitution, 0});
+        }
+    }
+
+    /// Forces of the last windows, and of what is woken.
+    void find_forces()
+    {
+        std::vector<ContactForce> forces;
+        for (const auto& piece : history_.pieces)
+            forces.insert(forces.end(), piece->forces.begin(), piece->forces.end());
+        for (const BodyId body : history_.woken)
+            for (const PersistentContact& c : state_.bodies.contacts().of(body))
+                if (c.partner.is_plane() || body < c.partner.index || state_.is_fixed(c.partner.index))
+                    forces.push_back({body, c.partner, c.force});
+        const auto comes_first = [](const ContactForce& x, const ContactForce& y) {
+            return x.a != y.a ? x.a < y.a : x.b < y.b;
+        };
+        if (history_.pieces.size() + history_.woken.size() > 1) std::sort(forces.begin(), forces.end(), comes_first);
+        forces_.assign(problem_.contacts.size(), 0);
+        std::size_t at_force = 0;
+        for (std::size_t k = 0; k < forces_.size(); ++k) {
+            const WindowContact& c = problem_.contacts[k];
+            const ContactForce wanted{id(local_[at(c.a)]), contact_partner(c), 0};
+            while (at_force < forces.size() && comes_first(forces[at_force], wanted)) ++at_force;
+            if (at_force < forces.size() && !comes_first(wanted, forces[at_force])) forces_[k] = forces[at_force].force;
+        }
+    }
+
+    Partner contact_partner(const WindowContact& c) const
+    {
+        return c.b.is_plane() ? c.b : Partner::sphere(id(local_[at(c.b.index)]));
+    }
+
+    /// Speeds of bodies that others hold, or nearly; those that lean on planes alone may glide for ever.
+    void find_heat()
+    {
+        std::vector<char> held(problem_.bodies.size(), 1);
+        for (std::size_t k = 0; k < forces_.size(); ++k)
+            if (problem_.contacts[k].b.is_plane() && forces_[k] > 0) held[at(problem_.contacts[k].a)] = 0;
+        for (std::size_t k = 0; k < forces_.size(); ++k)
+            if (problem_.contacts[k].b.is_sphere() && forces_[k] > 0)
+                held[at(problem_.contacts[k].a)] = held[at(problem_.contacts[k].b.index)] = 1;
+        double square = 0, mass = 0;
+        for (std::size_t i = 0; i < part_.size(); ++i) {
+            const WindowBody& body = problem_.bodies[i];
+            hot_fastest_ = std::max(hot_fastest_, body.velocity.norm());
+            if (!held[i]) continue;
+            square += body.velocity.squaredNorm() / body.inverse_mass;
+            mass += 1 / body.inverse_mass;
+            fastest_ = std::max(fastest_, body.velocity.norm());
+        }
+        rms_ = mass > 0 ? std::sqrt(square / mass) : 0;
+    }
+
+    /// What the window before this one leaves: patience, and a landing that goes on.
+    void remember()
+    {
+        for (const auto& piece : history_.pieces) {
+            if (!std::binary_search(piece->bodies.begin(), piece->bodies.end(), id(part_.front()))) continue;
+            wait_ = piece->wait;
+            has_past_ = true;
+        }
+        for (const BodyId body : history_.woken)
+            if (std::find_if(part_.begin(), part_.end(), [&](int i) { return id(i) == body; }) != part_.end()) {
+                wait_.after_waking = std::min(2 * std::max(wait_.after_waking, first_wait_after_waking), longest_wait);
+                wait_.hot_windows = wait_.after_waking;
+                break;
+            }
+        for (std::size_t p = 0; p < history_.pieces.size(); ++p) {
+            const WindowPiece& piece = *history_.pieces[p];
+            if (!piece.landing || history_.is_interrupted[p]) continue;
+            if (piece.landing->move + 1 >= piece.landing->course->moves.size()) continue;
+            if (holds_all(piece.landing->course->bodies))
+                course_ = LandingStage{piece.landing->course, piece.landing->move + 1};
+        }
+    }
+
+    bool holds_all(const std::vector<BodyId>& bodies) const
+    {
+        std::size_t count = 0;
+        for (const int i : part_) count += std::binary_search(bodies.begin(), bodies.end(), id(i));
+        return count == bodies.size();
+    }
+
+    double calm_speed() const { return std::sqrt(2 * gravity_ * calm_rise * all_.list->smallest); }
+    double least_calm_speed() const { return least_calm_part * calm_speed(); }
+    bool is_calm() const { return has_past_ && rms_ > 0 && rms_ < calm_speed() / 4 && fastest_ < 4 * calm_speed(); }
+    bool may_land() const { return wait_.hot_windows <= 0 || fastest_ < wait_.failed_speed / 4; }
+
+    WindowOptions hot() const
+    {
+        WindowOptions out;
+        out.length = all_.hot;
+        out.closing_speed = gravity_ * all_.hot;
+        out.speed_tolerance = speed_left * gravity_ * all_.hot;
+        out.margin = margin_of_radius * all_.list->smallest *
+                     std::clamp(hot_fastest_ / (margin_speed * calm_speed()), least_margin, 1.0);
+        return out;
+    }
+
+    bool land_now()
+    {
+        LandingOptions options;
+        options.speed = calm_speed();
+        options.way = landing_way * all_.list->smallest;
+        for (std::size_t i = 0; i < part_.size(); ++i) {
+            const WindowBody& body = problem_.bodies[i];
+            if (body.velocity.norm() <= options.speed)
+                options.most_energy += body.velocity.squaredNorm() / (2 * body.inverse_mass);
+        }
+        const std::vector<BodyId> ids = ids_of_problem();
+        const auto course = find_course(problem_, ids, options);
+        if (!course) {
+            wait_.failed_speed = fastest_;
+            wait_.hot_windows = part_.size() <= quick_landing ? 0 : wait_between_landings;
+            return false;
+        }
+        course_ = LandingStage{course, 0};
+        return true;
+    }
+
+    /// A body at rest that would carry more once the part has landed.
+    std::optional<BodyId> carrier_at_rest() const
+    {
+        for (const ContactForce& c : course_->course->forces) {
+            if (!c.b.is_sphere() || state_.is_fixed(c.b.index)) continue;
+            const auto& bodies = course_->course->bodies;
+            if (!std::binary_search(bodies.begin(), bodies.end(), c.b.index)) return c.b.index;
+        }
+        return {};
+    }
+
+    static PartOutcome wakes(BodyId body)
+    {
+        PartOutcome out;
+        out.next = PartOutcome::Next::wakes;
+        out.woken = body;
+        return out;
+    }
+
+    std::vector<BodyId> ids_of_problem() const
+    {
+        std::vector<BodyId> out;
+        for (const int i : local_) out.push_back(id(i));
+        return out;
+    }
+
+    /// One move of a landing. Others of the part go on beside it.
+    PartOutcome follow_course()
+    {
+        const LandingCourse& course = *course_->course;
+        const std::vector<Vec3>& move = course.moves[course_->move];
+        double way = 0;
+        for (const Vec3& d : move) way = std::max(way, d.norm());
+        options_ = hot();
+        options_.length = std::max(all_.hot, way / (landing_speed * calm_speed()));
+        if (options_.length > 2 * all_.hot) options_.solver = WindowSolver::exact;
+        WindowProblem problem = problem_;
+        const double left = course.left[course_->move];
+        std::vector<int> lands(part_.size(), -1);
+        for (std::size_t i = 0; i < part_.size(); ++i) {
+            const auto found = std::lower_bound(course.bodies.begin(), course.bodies.end(), id(part_[i]));
+            if (found == course.bodies.end() || *found != id(part_[i])) continue;
+            lands[i] = static_cast<int>(found - course.bodies.begin());
+            problem.bodies[i].inverse_mass = 0;
+            problem.bodies[i].velocity = move[at(lands[i])] / options_.length;
+        }
+        set_guesses(problem);
+        const WindowOutcome solved = take_window(problem, options_);
+        if (solved.status != WindowStatus::complete || part_that_fits(solved) < 1) return give_up_landing();
+        WindowOutcome outcome = solved;
+        for (std::size_t i = 0; i < part_.size(); ++i)
+            if (lands[i] >= 0) outcome.motions[i].end_velocity = left * course.velocities[at(lands[i])];
+        if (const std::optional<PartOutcome> other = other_first(outcome)) return *other;
+        commit(outcome);
+        return {};
+    }
+
+    PartOutcome give_up_landing()
+    {
+        course_.reset();
+        wait_.failed_speed = fastest_;
+        wait_.hot_windows = wait_between_landings;
+        options_ = hot();
+        return take_ordinary();
+    }
+
+    /// Guesses of the window's impulses, from the forces of the last one.
+    void set_guesses(WindowProblem& problem) const
+    {
+        for (std::size_t k = 0; k < forces_.size(); ++k) problem.contacts[k].impulse = forces_[k] * options_.length;
+    }
+
+    PartOutcome take_ordinary()
+    {
+        for (int round = 0; round < most_shorter_windows; ++round) {
+            set_guesses(problem_);
+            WindowOutcome outcome = take_window(problem_, options_);
+            if (outcome.status == WindowStatus::infeasible) {
+                options_.solver = WindowSolver::exact;
+                options_.length *= shorter_window;
+                continue;
+            }
+            const double fits = part_that_fits(outcome);
+            if (fits <= least_part_of_list && has_moved()) return longer_list(outcome);
+            cut(outcome, fits);
+            if (const std::optional<PartOutcome> other = other_first(outcome)) return *other;
+            commit(outcome);
+            return {};
+        }
+        options_ = hot();
+        commit(all_stop());
+        return {};
+    }
+
+    /// Whether a body at rest is to be woken before.
+    std::optional<PartOutcome> other_first(const WindowOutcome& outcome) const
+    {
+        for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
+            const WindowContact& c = problem_.contacts[k];
+            if (!c.b.is_sphere() || at(c.b.index) < part_.size()) continue;
+            const BodyId other = id(local_[at(c.b.index)]);
+            if (state_.is_fixed(other)) continue;
+            if (outcome.impulses[k] * problem_.bodies[at(c.a)].inverse_mass > state_.rest.closing_speed)
+                return wakes(other);
+        }
+        return {};
+    }
+
+    /// The part of a window in which nobody leaves the list behind.
+    double part_that_fits(const WindowOutcome& outcome) const
+    {
+        double fits = 1;
+        for (std::size_t i = 0; i < part_.size(); ++i) {
+            const double way = displacement(outcome, i).norm(), room = all_.list->skin / 2 - all_.moved[at(part_[i])];
+            if (way > room) fits = std::min(fits, part_of_the_room * std::max(room, 0.0) / way);
+        }
+        return fits;
+    }
+
+    bool has_moved() const
+    {
+        return std::any_of(part_.begin(), part_.end(), [&](int i) { return all_.moved[at(i)] > 0; });
+    }
+
+    PartOutcome longer_list(const WindowOutcome& outcome) const
+    {
+        PartOutcome out;
+        out.next = PartOutcome::Next::lists;
+        for (std::size_t i = 0; i < part_.size(); ++i)
+            out.skin = std::max(out.skin, 2 * displacement(outcome, i).norm());
+        return out;
+    }
+
+    /// The first part of a window: all bounds are linear, momentum is kept, and energy is a convex function.
+    void cut(WindowOutcome& outcome, double part) const
+    {
+        if (!(part < 1)) return;
+        outcome.length *= part;
+        for (double& impulse : outcome.impulses) impulse *= part;
+        for (std::size_t i = 0; i < part_.size(); ++i) {
+            Vec3& end = outcome.motions[i].end_velocity;
+            end = problem_.bodies[i].velocity + part * (end - problem_.bodies[i].velocity);
+        }
+    }
+
+    /// The last resort: everybody stands still for a window.
+    WindowOutcome all_stop() const
+    {
+        WindowOutcome out;
+        out.length = all_.hot;
+        out.impulses.assign(problem_.contacts.size(), 0);
+        out.guess = out.impulses;
+        out.motions.resize(problem_.bodies.size());
+        return out;
+    }
+
+    static Vec3 displacement(const WindowOutcome& outcome, std::size_t i)
+    {
+        const WindowMotion& m = outcome.motions[i];
+        return outcome.length * (m.velocity + (outcome.length / 2) * m.acceleration);
+    }
+
+    void commit(const WindowOutcome& outcome)
+    {
+        auto piece = std::make_shared<WindowPiece>();
+        piece->length = outcome.length;
+        piece->near = all_.list;
+        piece->wait = wait_;
+        piece->wait.hot_windows -= outcome.length / all_.hot;
+        piece->landing = course_;
+        const EpochTime end = state_.frame.after(now_, outcome.length);
+        std::vector<std::vector<PersistentContact>> carried(part_.size());
+        for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
+            const WindowContact& c = problem_.contacts[k];
+            if (outcome.guess[k] > 0)
+                piece->forces.push_back({id(local_[at(c.a)]), contact_partner(c), outcome.guess[k] / options_.length});
+            if (c.b.is_plane() && outcome.impulses[k] > 0)
+                carried[at(c.a)].push_back({c.b, outcome.impulses[k] / outcome.length});
+        }
+        const std::size_t first_change = out_.changes.size();
+        for (std::size_t i = 0; i < part_.size(); ++i) {
+            const BodyId body = id(part_[i]);
+            const WindowMotion& m = outcome.motions[i];
+            const Vec3& before = all_.bodies[at(part_[i])].velocity;
+            piece->bodies.push_back(body);
+            piece->velocities.push_back(before);
+            Change change{body, all_.flights[at(part_[i])], Windowed{end, m.end_velocity, nullptr, i}, carried[i]};
+            change.flight.start = now_;
+            change.flight.velocity = m.velocity;
+            change.flight.acceleration =
+                m.acceleration.squaredNorm() > 0 ? state_.bodies.accelerations().free() : Accelerations::none;
+            piece->taken += energy_taken(state_, body, {before, m.end_velocity}, displacement(outcome, i));
+            out_.changes.push_back(change);
+        }
+        out_.taken.window += piece->taken;
+        const std::shared_ptr<const WindowPiece> shared = std::move(piece);
+        for (std::size_t k = first_change; k < out_.changes.size(); ++k)
+            std::get<Windowed>(out_.changes[k].motion).piece = shared;
+        out_.events.push_back({EventKind::guard, {}, 0, shared->bodies.front(), no_body, Vec3::Zero(), Vec3::Zero()});
+    }
+
+    const State& state_;
+    const EpochTime now_;
+    const WindowBodies& all_;
+    const std::vector<int>& part_;
+    const WindowHistory& history_;
+    EventOutcome& out_;
+    const double gravity_;
+    WindowProblem problem_;       ///< first the bodies of the part, then those that stand still
+    std::vector<int> number_;     ///< by number in the list: in the problem, or -1
+    std::vector<int> local_;      ///< by number in the problem: in the list
+    std::vector<double> forces_;  ///< by contact: where to begin
+    double fastest_ = 0, rms_ = 0, hot_fastest_ = 0;
+    bool has_past_ = false;
+    LandingWait wait_;
+    std::optional<LandingStage> course_;
+    WindowOptions options_;
+};
+
+}  // namespace
+
+double hot_length(const State& state)
+{
+    return window_steps * state.rest.numeric_step;
+}
+
+bool WindowBodies::is_close(std::size_t pair) const
+{
+    const NearPair& p = list->pairs[pair];
+    const WindowBody &a = bodies[at(p.a)], &b = bodies[at(p.b.index)];
+    const double gap = geometry(a, b).gap, speed = (a.velocity - b.velocity).norm();
+    const double fall = hot * a.acceleration.norm();
+    return gap < std::max(hot * (speed + fall_of_others * fall), heap_reach * std::min(a.radius, b.radius));
+}
+
+PartOutcome take_window_of_part(const State& state, const EpochTime& now, const WindowBodies& bodies,
+                                const std::vector<int>& part, const WindowHistory& history, EventOutcome& out)
+{
+    return PartWindow(state, now, bodies, part, history, out).take();
+}
+
+double energy_taken(const State& state, BodyId body, const BeginAndEnd& velocities, const Vec3& displacement)
+{
+    return ((velocities.before.squaredNorm() - velocities.after.squaredNorm()) / 2 +
+            state.gravity().dot(displacement)) /
+           state.inverse_mass(body);
+}
+
+}  // namespace carom
