@@ -35,8 +35,16 @@ struct LcpOptions {
     int sweeps = 100;  ///< >= 1, of Gauss-Seidel
 };
 
+/// What becomes of a run where the operator meets its bound.
+enum class OnCap : std::uint8_t {
+    stop,   ///< it ends with Status::unresolved
+    accept  ///< these contacts are inelastic, counted, and their energy is named
+};
+inline constexpr std::array<std::string_view, 2> on_cap_names{"stop", "accept"};
+
 struct ImpactOptions {
     ImpactOperator impact_operator = ImpactOperator::reflections;
+    OnCap on_cap = OnCap::stop;
     /// Gap >= 0 [smaller radius] up to which another contact belongs to the instant at which one closes. Unset: 1e-12.
     /// In certified runs the contacts must also close at the same time, as far as double-double can tell.
     std::optional<double> tie;

@@ -68,7 +68,8 @@ using Json = nlohmann::ordered_json;
 Json impact_json(const ImpactOptions& impact)
 {
     Json json = {{"operator", name_of(impact.impact_operator, impact_operator_names)},
-                 {"tie", impact.tie ? Json(*impact.tie) : Json()}};
+                 {"tie", impact.tie ? Json(*impact.tie) : Json()},
+                 {"on_cap", name_of(impact.on_cap, on_cap_names)}};
     if (impact.impact_operator == ImpactOperator::lcp) {
         json["law"] = name_of(impact.lcp.law, lcp_law_names);
         json["solver"] = name_of(impact.lcp.solver, lcp_solver_names);

@@ -40,7 +40,7 @@ public:
 
     Outcome go()
     {
-        Status status = Status::reached_end;
+        Status status = ends_at_start_ ? capped("contacts of the start") : Status::reached_end;
         while (status == Status::reached_end && state_.count() > 0) {
             const auto next = schedule_.next();
             if (next.key.time > end_) break;
@@ -93,6 +93,8 @@ private:
             commit(outcome_);
         }
         const std::vector<EventOutcome> components = begin_components(state_);
+        ends_at_start_ = std::any_of(components.begin(), components.end(),
+                                     [this](const EventOutcome& component) { return is_too_much(component); });
         for (const EventOutcome& component : components)
             if (component.events.empty()) commit(component);
         for (BodyId i = 0; i < state_.count(); ++i) ledger_.show_flight(state_, i);
@@ -129,6 +131,7 @@ private:
             return take_windows(event);
         }
         if (comes_to_rest(outcome_)) return zeno(key);
+        if (is_too_much(outcome_)) return capped("impacts of " + names(key));
         commit(outcome_);
         for (const Change& change : outcome_.changes) ledger_.show_flight(state_, change.body);
         schedule_.flights_changed(state_, outcome_.changes, now_, ledger_.out.counts);
@@ -169,6 +172,17 @@ private:
         return state_.scene.rest.policy == RestPolicy::none &&
                std::any_of(outcome.events.begin(), outcome.events.end(),
                            [](const Event& e) { return e.kind == EventKind::rest; });
+    }
+    /// Whether the impact operator met its bound, which ends a run unless the scene accepts it.
+    bool is_too_much(const EventOutcome& outcome) const
+    {
+        return outcome.capped && state_.scene.impact.on_cap == OnCap::stop;
+    }
+    Status capped(const std::string& which)
+    {
+        return stop(Status::unresolved, which +
+                                            " exceed the bound of the impact operator (take \"impact\": "
+                                            "{\"on_cap\": \"accept\"} for inelastic ones, or another operator)");
     }
     std::string names(const Key& key) const
     {
@@ -327,6 +341,7 @@ private:
     const RunOptions& options_;
     const Observer& observer_;
     EpochTime end_, now_;
+    bool ends_at_start_ = false;
     Schedule schedule_;
     ImpactRate rate_;
     const Surroundings neighbourhood_;

@@ -47,6 +47,7 @@ void read_impact(ObjectView& root, SceneDraft& draft)
         impact.impact_operator = named(*place).value_or(impact.impact_operator);
     const bool operator_known = root.problems().count() == before;
     impact.tie = view.number("tie", not_negative);
+    impact.on_cap = read_named<OnCap>(view, "on_cap", on_cap_names).value_or(impact.on_cap);
     if (impact.impact_operator == ImpactOperator::lcp || !operator_known)
         read_lcp(view, impact.lcp);
     else

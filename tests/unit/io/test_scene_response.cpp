@@ -82,6 +82,10 @@ TEST_CASE("an impact operator is a word or an object with options, and survives 
         CHECK(s.impact.lcp.sweeps == 12);
     }
     CHECK_FALSE(reread(read("")).impact.tie);
+    CHECK(read("").impact.on_cap == OnCap::stop);
+    const Scene accepting = read(R"("impact": {"on_cap": "accept"})");
+    CHECK(accepting.impact.on_cap == OnCap::accept);
+    CHECK(reread(accepting).impact.on_cap == OnCap::accept);
 }
 
 TEST_CASE("the guard is on, off, or an object with options, and survives being written", "[io]")
