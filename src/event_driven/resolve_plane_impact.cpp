@@ -26,6 +26,21 @@ bool is_coupled(const State& state, const Key& key, const ContactLaw& law, const
            belongs_to_previous_instant(state, key) || other_closed(state, instant, f, key.a, key.b, neighbourhood);
 }
 
+/// Brings a sphere to rest whose bounces are below the rounding of its place. Under drag, where no closed sum has taken
+/// them all before, infinitely many are left: where they take of the tangential speed they take all of it.
+void rest(const State& state, const Key& key, const Vec3& normal, const ContactLaw& law, Change& change,
+          EventOutcome& out)
+{
+    settle(state, key.b.index, change);
+    Vec3 impulse = Vec3::Zero();
+    if (state.drag > 0 && law.restitution > 0 && law.tangential < 1) {
+        impulse = -state.sphere(key.a).mass * change.flight.velocity;
+        change.flight.velocity = Vec3::Zero();
+        lean(state, key.b.index, change);
+    }
+    out.events.push_back(make_event(state, EventKind::rest, key.a, key.b, normal, impulse));
+}
+
 /// Brings a sphere to rest that leaves its plane slower than a threshold, with more than a million bounces to come.
 void rest_early(const State& state, const Key& key, const Vec3& normal, double w, double time, Change& change,
                 EventOutcome& out)
@@ -73,8 +88,7 @@ bool resolve_plane_impact(const State& state, const Key& key, const Neighbourhoo
     const bool leans = kind_of(change.motion) == MotionKind::leaning;
     if (is_rest(state.radius(id) + state.frame.cell_size, f.velocity, w, gravity)) {
         if (leans) return false;
-        settle(state, plane, change);
-        out.events.push_back(make_event(state, EventKind::rest, id, key.b, normal));
+        rest(state, key, normal, law, change, out);
     } else if (!leans && is_low(state, id, w, gravity, law)) {
         if (state.drag > 0) {
             const DampedBounces bounces = damped_bounces(state, key, f, w, gravity, law, neighbourhood);
