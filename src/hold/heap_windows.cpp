@@ -2,12 +2,14 @@
 
 #include "gather/component.hpp"
 #include "hold/near_pairs.hpp"
+#include "hold/resting_part.hpp"
 #include "hold/tolerances.hpp"
 #include "hold/window_part.hpp"
 #include "math/disjoint_sets.hpp"
 #include "motion/height.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace carom {
@@ -36,6 +38,8 @@ public:
         }
         const auto by_body = [](const Change& x, const Change& y) { return x.body < y.body; };
         std::sort(out_.changes.begin(), out_.changes.end(), by_body);
+        const auto by_force = [](const ForceChange& x, const ForceChange& y) { return x.body < y.body; };
+        std::sort(out_.forces.begin(), out_.forces.end(), by_force);
         return std::move(out_);
     }
 
@@ -63,6 +67,9 @@ private:
     /// Ends a window: the books have what it takes in all of its length; a landing that is over rests.
     void end(const WindowPiece& piece)
     {
+        for (const Load& load : piece.loads) ended_loads_.push_back({load.body, -load.force});
+        for (const auto& part : piece.carriers)
+            if (std::find(carriers_.begin(), carriers_.end(), part) == carriers_.end()) carriers_.push_back(part);
         if (is_interrupted(piece)) {
             double taken = 0;
             for (std::size_t k = 0; k < piece.bodies.size(); ++k) {
@@ -81,6 +88,19 @@ private:
 
     void rest(const LandingCourse& course)
     {
+        for (const ContactForce& c : course.forces)
+            for (const Partner b : {Partner::sphere(c.a), c.b})
+                if (b.is_sphere() && !stands_still(b.index) &&
+                    !std::binary_search(course.bodies.begin(), course.bodies.end(), b.index))
+                    return;  // it was woken in the meantime
+        std::vector<Load> further = ended_loads_;
+        further.insert(further.end(), course.loads.begin(), course.loads.end());
+        std::optional<std::vector<ForceChange>> carrying;
+        if (!course.loads.empty()) {
+            carrying = bear(further);
+            if (!carrying) return;
+            ended_loads_.clear();
+        }
         std::map<BodyId, std::vector<PersistentContact>> contacts;
         for (const ContactForce& c : course.forces) {
             const bool first = std::binary_search(course.bodies.begin(), course.bodies.end(), c.a);
@@ -98,6 +118,71 @@ private:
         }
         landed_.insert(landed_.end(), course.bodies.begin(), course.bodies.end());
         std::sort(landed_.begin(), landed_.end());
+        if (carrying) enter_carriers(std::move(*carrying), contacts);
+    }
+
+    /// Enters the forces of bodies at rest on which others came to rest, with the contacts of these.
+    void enter_carriers(std::vector<ForceChange> carrying,
+                        const std::map<BodyId, std::vector<PersistentContact>>& landed)
+    {
+        for (const auto& [body, contacts] : landed)
+            for (const PersistentContact& c : contacts) {
+                if (!c.partner.is_sphere()) continue;
+                for (ForceChange& its : carrying)
+                    if (its.body == c.partner.index) its.contacts.push_back({Partner::sphere(body), c.force});
+            }
+        set_forces(std::move(carrying), out_before_);
+    }
+
+    static void set_forces(std::vector<ForceChange> changes, EventOutcome& out)
+    {
+        for (ForceChange& change : changes) {
+            std::erase_if(out.forces, [&](const ForceChange& f) { return f.body == change.body; });
+            out.forces.push_back(std::move(change));
+        }
+    }
+
+    /// Persistent contacts of bodies that rest, those that have come to rest now included.
+    std::optional<std::span<const PersistentContact>> contacts_at_rest(BodyId body) const
+    {
+        if (!rests(body)) return {};
+        for (const ForceChange& f : out_before_.forces)
+            if (f.body == body) return f.contacts;
+        if (std::binary_search(landed_.begin(), landed_.end(), body))
+            for (const Change& c : out_before_.changes)
+                if (c.body == body) return c.contacts;
+        return state_.bodies.contacts().of(body);
+    }
+
+    /// Forces of all bodies at rest under further loads; nothing where some part of them would move.
+    std::optional<std::vector<ForceChange>> bear(const std::vector<Load>& further)
+    {
+        const ContactsAtRest contacts_of = [this](BodyId body) { return contacts_at_rest(body); };
+        std::vector<ForceChange> out;
+        std::vector<const RestingPart*> done;
+        for (const Load& load : further) {
+            if (!rests(load.body)) continue;  // fixed, or woken
+            const RestingPart& part = part_of(load.body, contacts_of);
+            if (std::find(done.begin(), done.end(), &part) != done.end()) continue;
+            done.push_back(&part);
+            auto forces = part.is_current(state_, contacts_of) ? part.bear(further, contacts_of) : std::nullopt;
+            if (!forces) {
+                overloaded_ = load.body;
+                return {};
+            }
+            std::move(forces->begin(), forces->end(), std::back_inserter(out));
+        }
+        return out;
+    }
+
+    const RestingPart& part_of(BodyId body, const ContactsAtRest& contacts_of)
+    {
+        std::erase_if(carriers_,
+                      [&](const auto& part) { return part->has(body) && !part->is_current(state_, contacts_of); });
+        for (const auto& part : carriers_)
+            if (part->has(body)) return *part;
+        carriers_.push_back(std::make_shared<const RestingPart>(state_, moment_, body, contacts_of));
+        return *carriers_.back();
     }
 
     Event contact_event(EventKind kind, BodyId a, Partner b)
@@ -121,7 +206,8 @@ private:
     bool attempt()
     {
         out_ = out_before_;
-        if (seeds_.empty()) return true;
+        loads_ = ended_loads_;
+        if (seeds_.empty()) return settle_loads();
         find_list();
         WindowBodies bodies = load();
         DisjointSets sets(bodies.list->bodies.size());
@@ -139,7 +225,13 @@ private:
         }
         for (const auto& piece : pieces_)
             if (piece->landing && !is_interrupted(*piece)) join(sets, bodies, piece->landing->course->bodies);
-        const WindowHistory past = history();
+        WindowHistory past = history();
+        past.carriers = &carriers_;
+        past.bear = [this](const std::vector<Load>& further) {
+            std::vector<Load> all = loads_;
+            all.insert(all.end(), further.begin(), further.end());
+            return bear(all).has_value();
+        };
         struct Part {
             std::vector<int> bodies;
             bool is_concerned = false, is_at_rest = false;
@@ -169,7 +261,22 @@ private:
                 wake(outcome.woken);
                 return false;
             }
+            loads_.insert(loads_.end(), outcome.loads.begin(), outcome.loads.end());
         }
+        return settle_loads();
+    }
+
+    /// Enters the forces of bodies at rest under the loads of all parts. \returns whether they bear them
+    bool settle_loads()
+    {
+        std::erase_if(loads_, [this](const Load& load) { return !rests(load.body); });
+        if (loads_.empty()) return true;
+        auto forces = bear(loads_);
+        if (!forces) {
+            wake(overloaded_);
+            return false;
+        }
+        set_forces(std::move(*forces), out_);
         return true;
     }
 
@@ -213,13 +320,23 @@ private:
         }
     }
 
-    /// Wakes all that persistent contacts connect with a body.
+    /// Wakes all that persistent contacts connect with a body. What would come to rest at this very moment, or carry
+    /// that, wakes with any of it.
     void wake(BodyId first)
     {
         std::vector<BodyId> frontier{first};
+        const bool carries = std::any_of(out_before_.forces.begin(), out_before_.forces.end(),
+                                         [&](const ForceChange& f) { return f.body == first; });
+        const std::vector<BodyId> landing = landed_;
+        if (carries || std::binary_search(landing.begin(), landing.end(), first)) {
+            frontier = landing;
+            for (const ForceChange& f : out_before_.forces) frontier.push_back(f.body);
+            std::erase_if(out_before_.events, [](const Event& e) { return e.kind == EventKind::rest; });
+        }
         std::vector<char> known(static_cast<std::size_t>(state_.count()), 0);
-        known[static_cast<std::size_t>(first)] = 1;
-        for (std::size_t k = 0; k < frontier.size(); ++k)
+        for (const BodyId body : frontier) known[static_cast<std::size_t>(body)] = 1;
+        for (std::size_t k = 0; k < frontier.size(); ++k) {
+            if (std::binary_search(landing.begin(), landing.end(), frontier[k])) continue;
             for (const PersistentContact& c : state_.bodies.contacts().of(frontier[k])) {
                 if (frontier[k] < c.partner.index || c.partner.is_plane() || state_.is_fixed(c.partner.index))
                     out_before_.events.push_back(contact_event(EventKind::release, frontier[k], c.partner));
@@ -228,12 +345,10 @@ private:
                 if (!its) frontier.push_back(c.partner.index);
                 its = 1;
             }
-        if (std::binary_search(landed_.begin(), landed_.end(), first)) {  // at this very moment: it does not
-            frontier = landed_;
-            std::erase_if(out_before_.events, [](const Event& e) { return e.kind == EventKind::rest; });
         }
         for (const BodyId body : frontier) {
             std::erase_if(out_before_.changes, [&](const Change& c) { return c.body == body; });
+            std::erase_if(out_before_.forces, [&](const ForceChange& f) { return f.body == body; });
             std::erase(landed_, body);
             woken_.push_back(body);
             seeds_.push_back(body);
@@ -318,9 +433,13 @@ private:
     std::vector<BodyId> seeds_;                               ///< bodies that must get a motion, ascending
     std::vector<BodyId> woken_, landed_;                      ///< ascending
     std::shared_ptr<const NearPairs> list_;
-    bool fresh_ = false;       ///< a new list must be made
-    double wanted_skin_ = 0;   ///< [length]
-    EventOutcome out_before_;  ///< of what ended
+    std::vector<Load> ended_loads_;  ///< of windows that ended, negative
+    std::vector<Load> loads_;        ///< further loads of this event
+    std::vector<std::shared_ptr<const RestingPart>> carriers_;
+    BodyId overloaded_ = no_body;  ///< at rest, of the last part that did not bear its loads
+    bool fresh_ = false;           ///< a new list must be made
+    double wanted_skin_ = 0;       ///< [length]
+    EventOutcome out_before_;      ///< of what ended
     EventOutcome out_;
 };
 

@@ -1,5 +1,7 @@
 #include "hold/landing_course.hpp"
 
+#include "window/contact_geometry.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,12 +46,18 @@ std::shared_ptr<const LandingCourse> find_course(const WindowProblem& problem, c
         out->velocities.push_back(problem.bodies[i].velocity);
         for (std::size_t m = 0; m < found.moves.size(); ++m) out->moves[m].push_back(found.moves[m][i]);
     }
+    WindowProblem end = problem;
+    for (const std::vector<Vec3>& move : found.moves)
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            if (found.rests[i]) end.bodies[i].place += move[i];
     for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
         if (!(found.forces[k] > 0)) continue;
         const WindowContact& c = problem.contacts[k];
         const auto b = static_cast<std::size_t>(c.b.index);
         out->forces.push_back(
             {ids[static_cast<std::size_t>(c.a)], c.b.is_plane() ? c.b : Partner::sphere(ids[b]), found.forces[k]});
+        if (c.b.is_sphere() && !found.rests[b])
+            out->loads.push_back({ids[b], -found.forces[k] * geometry(end, c).normal});
     }
     return out;
 }

@@ -78,8 +78,12 @@ inline constexpr double least_calm_part = 1e-9;
 inline constexpr double calm_way = 0.3;
 /// Length [hot windows] of a calm window at least: one costs as much as some hot ones.
 inline constexpr double shortest_calm = 4;
-/// Length [hot windows] of a calm window at most: 0.1 s at a radius of 8 mm.
-inline constexpr double longest_calm = 128;
+/// Length [hot windows] of a calm window at most: 0.06 s at a radius of 8 mm. Longer ones are cheaper, but what
+/// collapses slowly goes on for as many windows, however long they are: with twice the length two of five heaps of 300
+/// do not rest by 3 s.
+inline constexpr double longest_calm = 64;
+/// Length [hot windows] of such a window of up to `quick_landing` bodies at most, which land sooner.
+inline constexpr double longest_calm_of_few = 128;
 /// Way [smallest radius] that a body may go to its rest.
 inline constexpr double landing_way = 0.3;
 /// Skin [smallest radius] of lists of calm heaps: more than two of these ways.
@@ -88,12 +92,18 @@ inline constexpr double calm_skin = 1;
 inline constexpr double landing_speed = 1;
 /// Bodies [1] of which each calm window is followed by an attempt to land: one is cheap.
 inline constexpr std::size_t quick_landing = 100;
-/// Time [hot windows] between attempts of more: four calm windows at least. No derivation.
-inline constexpr double wait_between_landings = 16;
+/// Time [hot windows] that more wait after an attempt that failed, half of the second: one of the longest calm windows.
+/// No derivation.
+inline constexpr double first_wait_between_landings = 64;
+/// Time [hot windows] that they wait at most: some of the longest calm windows, each as dear as a step of a landing.
+inline constexpr double longest_wait_between_landings = 1024;
+/// Part [1] of the speed at an attempt that failed at which they wait no longer: heaps that come to rest become slower
+/// by more in two windows, heaps that collapse do not in ten.
+inline constexpr double slower_than_failed = 0.25;
 /// Time [hot windows] that attempts to land wait after a heap was woken, half of the first. No derivation.
 inline constexpr double first_wait_after_waking = 8;
-/// Time [hot windows] that they wait at most: two of the longest calm windows.
-inline constexpr double longest_wait = 256;
+/// Time [hot windows] that they wait at most. No derivation.
+inline constexpr double longest_wait_after_waking = 256;
 /// Length [that of the last try] of a window after one that cannot be had.
 inline constexpr double shorter_window = 0.25;
 /// Shorter windows [1] that are tried before all bodies are stopped for one: 4^-20 of a window.

@@ -2,6 +2,7 @@
 
 #include "gather/tolerances.hpp"
 #include "hold/landing_course.hpp"
+#include "hold/resting_part.hpp"
 #include "hold/tolerances.hpp"
 #include "window/contact_geometry.hpp"
 #include "window/window.hpp"
@@ -49,13 +50,14 @@ public:
             }
             if (may_land()) {
                 if (land_now()) {
-                    if (const auto other = carrier_at_rest()) return wakes(*other);
+                    if (const auto other = carrier_to_wake()) return wakes(*other);
                     return follow_course();
                 }
             }
             options_.solver = WindowSolver::exact;
+            const double longest = part_.size() <= quick_landing ? longest_calm_of_few : longest_calm;
             options_.length = std::clamp(calm_way * all_.list->smallest / std::max(fastest_, least_calm_speed()),
-                                         shortest_calm * all_.hot, longest_calm * all_.hot);
+                                         shortest_calm * all_.hot, longest * all_.hot);
         }
         return take_ordinary();
     }
@@ -155,7 +157,8 @@ private:
         }
         for (const BodyId body : history_.woken)
             if (std::find_if(part_.begin(), part_.end(), [&](int i) { return id(i) == body; }) != part_.end()) {
-                wait_.after_waking = std::min(2 * std::max(wait_.after_waking, first_wait_after_waking), longest_wait);
+                wait_.after_waking =
+                    std::min(2 * std::max(wait_.after_waking, first_wait_after_waking), longest_wait_after_waking);
                 wait_.hot_windows = wait_.after_waking;
                 break;
             }
@@ -178,7 +181,7 @@ private:
     double calm_speed() const { return std::sqrt(2 * gravity_ * calm_rise * all_.list->smallest); }
     double least_calm_speed() const { return least_calm_part * calm_speed(); }
     bool is_calm() const { return has_past_ && rms_ > 0 && rms_ < calm_speed() / 4 && fastest_ < 4 * calm_speed(); }
-    bool may_land() const { return wait_.hot_windows <= 0 || fastest_ < wait_.failed_speed / 4; }
+    bool may_land() const { return wait_.hot_windows <= 0 || rms_ < slower_than_failed * wait_.failed_speed; }
 
     WindowOptions hot() const
     {
@@ -204,22 +207,24 @@ private:
         const std::vector<BodyId> ids = ids_of_problem();
         const auto course = find_course(problem_, ids, options);
         if (!course) {
-            wait_.failed_speed = fastest_;
-            wait_.hot_windows = part_.size() <= quick_landing ? 0 : wait_between_landings;
+            wait_.failed_speed = rms_;
+            wait_.after_failure =
+                std::clamp(2 * wait_.after_failure, first_wait_between_landings, longest_wait_between_landings);
+            wait_.hot_windows = part_.size() <= quick_landing ? 0 : wait_.after_failure;
             return false;
         }
+        wait_.after_failure = 0;
         course_ = LandingStage{course, 0};
         return true;
     }
 
-    /// A body at rest that would carry more once the part has landed.
-    std::optional<BodyId> carrier_at_rest() const
+    /// A body at rest that would carry more, once the part has landed, than the bodies at rest with it bear.
+    std::optional<BodyId> carrier_to_wake() const
     {
-        for (const ContactForce& c : course_->course->forces) {
-            if (!c.b.is_sphere() || state_.is_fixed(c.b.index)) continue;
-            const auto& bodies = course_->course->bodies;
-            if (!std::binary_search(bodies.begin(), bodies.end(), c.b.index)) return c.b.index;
-        }
+        const std::vector<Load>& loads = course_->course->loads;
+        if (loads.empty() || history_.bear(loads)) return {};
+        for (const Load& load : loads)
+            if (!state_.is_fixed(load.body)) return load.body;
         return {};
     }
 
@@ -265,15 +270,14 @@ private:
         for (std::size_t i = 0; i < part_.size(); ++i)
             if (lands[i] >= 0) outcome.motions[i].end_velocity = left * course.velocities[at(lands[i])];
         if (const std::optional<PartOutcome> other = other_first(outcome)) return *other;
-        commit(outcome);
-        return {};
+        return commit(outcome);
     }
 
     PartOutcome give_up_landing()
     {
         course_.reset();
-        wait_.failed_speed = fastest_;
-        wait_.hot_windows = wait_between_landings;
+        wait_.failed_speed = rms_;
+        wait_.hot_windows = first_wait_between_landings;
         options_ = hot();
         return take_ordinary();
     }
@@ -298,25 +302,30 @@ private:
             if (fits <= least_part_of_list && has_moved()) return longer_list(outcome);
             cut(outcome, fits);
             if (const std::optional<PartOutcome> other = other_first(outcome)) return *other;
-            commit(outcome);
-            return {};
+            return commit(outcome);
         }
         options_ = hot();
-        commit(all_stop());
-        return {};
+        loads_.clear();
+        return commit(all_stop());
     }
 
-    /// Whether a body at rest is to be woken before.
-    std::optional<PartOutcome> other_first(const WindowOutcome& outcome) const
+    /// Whether a body at rest is to be woken before: its part does not bear the mean forces of the window, and they
+    /// are no small change of speed.
+    std::optional<PartOutcome> other_first(const WindowOutcome& outcome)
     {
+        loads_.clear();
+        std::optional<BodyId> pushed;
         for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
             const WindowContact& c = problem_.contacts[k];
-            if (!c.b.is_sphere() || at(c.b.index) < part_.size()) continue;
+            if (!(outcome.impulses[k] > 0) || !c.b.is_sphere() || at(c.b.index) < part_.size()) continue;
             const BodyId other = id(local_[at(c.b.index)]);
             if (state_.is_fixed(other)) continue;
-            if (outcome.impulses[k] * problem_.bodies[at(c.a)].inverse_mass > state_.rest.closing_speed)
-                return wakes(other);
+            loads_.push_back({other, -(outcome.impulses[k] / outcome.length) * geometry(problem_, c).normal});
+            if (outcome.impulses[k] * problem_.bodies[at(c.a)].inverse_mass > state_.rest.closing_speed) pushed = other;
         }
+        if (loads_.empty() || history_.bear(loads_)) return {};
+        if (pushed) return wakes(*pushed);
+        loads_.clear();
         return {};
     }
 
@@ -374,7 +383,7 @@ private:
         return outcome.length * (m.velocity + (outcome.length / 2) * m.acceleration);
     }
 
-    void commit(const WindowOutcome& outcome)
+    PartOutcome commit(const WindowOutcome& outcome)
     {
         auto piece = std::make_shared<WindowPiece>();
         piece->length = outcome.length;
@@ -382,6 +391,10 @@ private:
         piece->wait = wait_;
         piece->wait.hot_windows -= outcome.length / all_.hot;
         piece->landing = course_;
+        piece->loads = loads_;
+        for (const auto& carrier : *history_.carriers)
+            if (std::any_of(loads_.begin(), loads_.end(), [&](const Load& l) { return carrier->has(l.body); }))
+                piece->carriers.push_back(carrier);
         const EpochTime end = state_.frame.after(now_, outcome.length);
         std::vector<std::vector<PersistentContact>> carried(part_.size());
         for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
@@ -411,6 +424,9 @@ private:
         for (std::size_t k = first_change; k < out_.changes.size(); ++k)
             std::get<Windowed>(out_.changes[k].motion).piece = shared;
         out_.events.push_back({EventKind::guard, {}, 0, shared->bodies.front(), no_body, Vec3::Zero(), Vec3::Zero()});
+        PartOutcome taken;
+        taken.loads = loads_;
+        return taken;
     }
 
     const State& state_;
@@ -429,6 +445,7 @@ private:
     LandingWait wait_;
     std::optional<LandingStage> course_;
     WindowOptions options_;
+    std::vector<Load> loads_;  ///< of the window on bodies at rest
 };
 
 }  // namespace

@@ -34,6 +34,12 @@ struct ContactForce {
     double force = 0;  ///< mean over the window, >= 0 [mass length/time^2]
 };
 
+/// Force on a body at rest [mass length/time^2].
+struct Load {
+    BodyId body = no_body;
+    Vec3 force = Vec3::Zero();
+};
+
 /// The last way of a heap to exact rest, move by move.
 struct LandingCourse {
     std::vector<BodyId> bodies;            ///< that come to rest, ascending
@@ -41,6 +47,7 @@ struct LandingCourse {
     std::vector<std::vector<Vec3>> moves;  ///< by move and body [length]
     std::vector<double> left;              ///< by move: part of the velocities that is left after it [1]
     std::vector<ContactForce> forces;      ///< of contacts that carry, ascending
+    std::vector<Load> loads;               ///< on other bodies, fixed or at rest, in the end
 };
 struct LandingStage {
     std::shared_ptr<const LandingCourse> course;
@@ -49,10 +56,13 @@ struct LandingStage {
 
 /// Patience between attempts to land.
 struct LandingWait {
-    double hot_windows = 0;   ///< time to wait [hot windows]
-    double after_waking = 0;  ///< time that was waited after the last waking [hot windows]
-    double failed_speed = 0;  ///< fastest body at the last attempt that failed [length/time]
+    double hot_windows = 0;    ///< time to wait [hot windows]
+    double after_waking = 0;   ///< time that was waited after the last waking [hot windows]
+    double after_failure = 0;  ///< time that was waited after the last attempt, if it failed [hot windows]
+    double failed_speed = 0;   ///< root mean square at the last attempt that failed [length/time]
 };
+
+class RestingPart;
 
 struct WindowPiece {
     std::vector<BodyId> bodies;    ///< ascending
@@ -64,6 +74,8 @@ struct WindowPiece {
     std::vector<ContactForce> forces;  ///< that the solver ended with, ascending
     LandingWait wait;
     std::optional<LandingStage> landing;
+    std::vector<Load> loads;                                   ///< that it puts on bodies at rest, in their forces
+    std::vector<std::shared_ptr<const RestingPart>> carriers;  ///< their parts
 };
 
 }  // namespace carom

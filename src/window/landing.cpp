@@ -80,19 +80,32 @@ private:
         return out;
     }
 
-    /// Falls step by step to the lowest place; leaves out what is not held.
+    /// Falls step by step to the lowest place. Where a body is left out the fall begins anew, from the places of the
+    /// start: what is left out stays there.
     bool descend()
     {
+        int begun = 0, left_out = 0;
+        double first_square = 0;
         for (int step = 0; step < most_descents; ++step) {
-            double way = 0;
-            for (bool all_held = false; !all_held;) {
-                fall();
-                const int before = resting_;
-                if (resting_ > 0) leave_out();
-                if (resting_ == 0 || resting_ < candidates_ * least_resting) return fail(LandingStatus::unbalanced);
-                all_held = resting_ == before;
+            fall();
+            const int before = resting_;
+            if (resting_ > 0) leave_out();
+            if (resting_ == 0 || resting_ < candidates_ * least_resting) return fail(LandingStatus::unbalanced);
+            if (resting_ < before) {
+                if (++left_out > most_left_out) return fail(LandingStatus::unbalanced);
+                begin_anew();
+                begun = step + 1;
+                continue;
             }
-            for (const Vec3& d : displacement_) way = std::max(way, d.norm());
+            double way = 0, square = 0;
+            for (const Vec3& d : displacement_) {
+                way = std::max(way, d.norm());
+                square += d.squaredNorm();
+            }
+            if (step == begun) first_square = square;
+            if (step >= begun + steps_to_converge && square > landing_converges * landing_converges * first_square &&
+                resting_ > patient_landing)
+                return fail(LandingStatus::too_far);
             if (move(displacement_)) {
                 if (way < newton_converges * radius_) return true;
                 continue;
@@ -102,6 +115,13 @@ private:
             if (failure_ != LandingStatus::overlaps || fall_of_step_ < least_descent_of_fall) return false;
         }
         return fail(LandingStatus::too_far);
+    }
+
+    void begin_anew()
+    {
+        now_ = start_;
+        out_.moves.clear();
+        out_.lifted = 0;
     }
 
     void fall()
@@ -141,9 +161,12 @@ private:
         return solved.multipliers[k] * normal_length2(h, projection.w) > std::abs(slack(h, solved.point));
     }
 
-    /// Leaves out bodies that go too far, that nothing carries, and those that lean on what is left out.
+    /// Leaves out bodies that go too far, that nothing carries, those that what is left out holds up, and those that
+    /// pushed on what was out before the fall. What carried a body that leaves stays: the next fall is without its
+    /// weight.
     void leave_out()
     {
+        const std::vector<char> in_fall = out_.rests;
         std::vector<char> carried(now_.bodies.size(), 0);
         for (std::size_t i = 0; i < now_.contacts.size(); ++i) {
             if (!(out_.forces[i] > 0)) continue;
@@ -154,17 +177,24 @@ private:
             out_.rests[at(body)] = 0;
             --resting_;
         };
-        for (std::size_t i = 0; i < now_.bodies.size(); ++i)
-            if (out_.rests[i] && (!carried[i] || displacement_[at(number_[i])].norm() > options_.way))
-                leave(static_cast<int>(i));
+        for (std::size_t i = 0; i < now_.bodies.size(); ++i) {
+            if (!out_.rests[i]) continue;
+            const Vec3 way = now_.bodies[i].place + displacement_[at(number_[i])] - start_.bodies[i].place;
+            if (!carried[i] || way.norm() > options_.way) leave(static_cast<int>(i));
+        }
+        const auto leans = [&](int body, int other, const Vec3& towards_body) {
+            if (!rests(body) || !moves_by_itself(Partner::sphere(other))) return false;
+            return !in_fall[at(other)] || towards_body.dot(now_.bodies[at(body)].acceleration) < 0;
+        };
         for (bool changed = true; changed;) {
             changed = false;
             for (std::size_t i = 0; i < now_.contacts.size(); ++i) {
                 const WindowContact& c = now_.contacts[i];
                 if (!(out_.forces[i] > 0) || !c.b.is_sphere()) continue;
-                if (rests(c.a) && moves_by_itself(c.b))
+                const Vec3 normal = geometry(now_, c).normal;
+                if (leans(c.a, c.b.index, normal))
                     leave(c.a);
-                else if (rests(c.b.index) && moves_by_itself(Partner::sphere(c.a)))
+                else if (leans(c.b.index, c.a, -normal))
                     leave(c.b.index);
                 else
                     continue;
