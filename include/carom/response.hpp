@@ -69,8 +69,13 @@ struct RestOptions {
 };
 
 /// Discrete method that takes a jammed component over for one window.
-enum class GuardFallback : std::uint8_t { moreau, velocity, pbd };
-inline constexpr std::array<std::string_view, 3> guard_fallback_names{"moreau", "velocity", "pbd"};
+enum class GuardFallback : std::uint8_t {
+    moreau,
+    velocity,
+    pbd,
+    windows  ///< of heaps, until they rest (docs/windows.md); what is no heap as moreau
+};
+inline constexpr std::array<std::string_view, 4> guard_fallback_names{"moreau", "velocity", "pbd", "windows"};
 
 /// Options of the guard: a discrete method takes over connected bodies whose impacts, some of them inelastic,
 /// accumulate.

@@ -96,11 +96,11 @@ private:
         ends_at_start_ = std::any_of(components.begin(), components.end(),
                                      [this](const EventOutcome& component) { return is_too_much(component); });
         for (const EventOutcome& component : components)
-            if (component.events.empty()) commit(component);
+            if (component.events.empty() && !is_too_much(component)) commit(component);
         for (BodyId i = 0; i < state_.count(); ++i) ledger_.show_flight(state_, i);
         // Components with impacts have them after that, from flights that the observer has seen.
         for (const EventOutcome& component : components) {
-            if (component.events.empty()) continue;
+            if (component.events.empty() || is_too_much(component)) continue;
             commit(component);
             for (const Change& change : component.changes) ledger_.show_flight(state_, change.body);
         }
@@ -131,7 +131,7 @@ private:
             return take_windows(event);
         }
         if (comes_to_rest(outcome_)) return zeno(key);
-        if (is_too_much(outcome_)) return capped("impacts of " + names(key));
+        if (is_too_much(outcome_)) return exceed(key);
         commit(outcome_);
         for (const Change& change : outcome_.changes) ledger_.show_flight(state_, change.body);
         schedule_.flights_changed(state_, outcome_.changes, now_, ledger_.out.counts);
@@ -163,7 +163,31 @@ private:
         commit(windows);
         for (const Change& change : windows.changes) ledger_.show_flight(state_, change.body);
         schedule_.flights_changed(state_, windows.changes, now_, ledger_.out.counts);
+        if (windows.changes.empty())
+            return stop(Status::unresolved,
+                        "no window of a heap goes on from impacts of " + state_.scene.body_name(event.bodies.front()));
         return limits();
+    }
+
+    /// Carries a body and all near it over one window of the guard.
+    Status take_guard(BodyId body)
+    {
+        if (is_hot_heap(body)) return take_windows({{body}, true});
+        const EventOutcome window = guard(state_, body, now_, neighbourhood_);
+        commit(window);
+        for (const Change& change : window.changes) ledger_.show_flight(state_, change.body);
+        schedule_.flights_changed(state_, window.changes, now_, ledger_.out.counts);
+        return limits();
+    }
+
+    /// Impacts beyond the bound of the operator: in a heap the guard carries on.
+    Status exceed(const Key& key)
+    {
+        const BodyId moving = state_.is_fixed(key.a) && key.b.is_sphere() ? key.b.index : key.a;
+        if (state_.scene.guard.on && state_.scene.rest.policy != RestPolicy::none &&
+            is_in_heap(state_, moving, now_, neighbourhood_))
+            return take_guard(moving);
+        return capped("impacts of " + names(key));
     }
 
     /// Whether a body comes to rest, which ends a run under policy none.
@@ -202,12 +226,7 @@ private:
             if (state_.scene.rest.policy == RestPolicy::none) return zeno(key);
             if (!state_.scene.guard.on)
                 return stop(Status::unresolved, "impacts of " + names(key) + " accumulate, and the guard is off");
-            if (is_hot_heap(body)) return take_windows({{body}, true});
-            const EventOutcome window = guard(state_, body, now_, neighbourhood_);
-            commit(window);
-            for (const Change& change : window.changes) ledger_.show_flight(state_, change.body);
-            schedule_.flights_changed(state_, window.changes, now_, ledger_.out.counts);
-            break;
+            return take_guard(body);
         }
         return limits();
     }

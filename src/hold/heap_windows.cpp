@@ -31,7 +31,7 @@ public:
     EventOutcome go()
     {
         for (const auto& piece : pieces_) end(*piece);
-        // Each restart wakes bodies, or asks for a longer list.
+        // Each restart wakes bodies, ends windows of others, or asks for a longer list.
         while (!attempt()) {
         }
         const auto by_body = [](const Change& x, const Change& y) { return x.body < y.body; };
@@ -45,20 +45,39 @@ private:
         if (state_.is_fixed(body)) return;
         const auto* held = state_.bodies.as<Held>(body);
         if (held && held->rests) return;  // until something wakes it
-        const auto* window = state_.bodies.as<Windowed>(body);
-        if (!window || !window->piece) {
-            if (std::find(seeds_.begin(), seeds_.end(), body) == seeds_.end()) seeds_.push_back(body);
-            return;
-        }
-        if (std::find(pieces_.begin(), pieces_.end(), window->piece) != pieces_.end()) return;
-        pieces_.push_back(window->piece);
-        seeds_.insert(seeds_.end(), window->piece->bodies.begin(), window->piece->bodies.end());
+        if (state_.bodies.is_in_heap_window(body))
+            seed_piece(body);
+        else if (std::find(seeds_.begin(), seeds_.end(), body) == seeds_.end())
+            seeds_.push_back(body);
     }
 
-    bool is_interrupted(const WindowPiece& piece) const
+    /// All bodies of the window that one of them is in: none of them goes on in it alone.
+    /// \returns whether it is one more
+    bool seed_piece(BodyId body)
     {
-        return state_.bodies.as<Windowed>(piece.bodies.front())->end != now_;
+        const std::shared_ptr<const WindowPiece>& piece = state_.bodies.as<Windowed>(body)->piece;
+        if (std::find(pieces_.begin(), pieces_.end(), piece) != pieces_.end()) return false;
+        pieces_.push_back(piece);
+        seeds_.insert(seeds_.end(), piece->bodies.begin(), piece->bodies.end());
+        return true;
     }
+
+    /// Ends the windows of these bodies that go on.
+    /// \returns whether there are any
+    bool end_others(const NearPairs& list, const std::vector<int>& part)
+    {
+        bool some = false;
+        for (const int i : part) {
+            const BodyId body = list.bodies[at(i)];
+            if (!state_.bodies.is_in_heap_window(body) || !seed_piece(body)) continue;
+            std::sort(seeds_.begin(), seeds_.end());
+            end(*pieces_.back());
+            some = true;
+        }
+        return some;
+    }
+
+    bool is_interrupted(const WindowPiece& piece) const { return piece.end != now_; }
 
     /// Ends a window: the books have what it takes in all of its length; a landing that is over rests.
     void end(const WindowPiece& piece)
@@ -153,6 +172,13 @@ private:
                 part.is_concerned || std::binary_search(seeds_.begin(), seeds_.end(), bodies.list->bodies[i]);
             part.is_at_rest = part.is_at_rest || near_rest[i];
         }
+        bool others_end = false;
+        for (const auto& [first, part] : parts)
+            others_end = (part.is_concerned && end_others(*bodies.list, part.bodies)) || others_end;
+        if (others_end) {
+            fresh_ = true;
+            return false;
+        }
         for (const auto& [first, part] : parts) {
             if (!part.is_concerned) continue;
             if (part.bodies.size() <= largest_group && !part.is_at_rest && !event_.accumulates) {
@@ -217,9 +243,10 @@ private:
     void wake(BodyId first)
     {
         std::vector<BodyId> frontier{first};
+        const bool has_just_landed = std::binary_search(landed_.begin(), landed_.end(), first);
         std::vector<char> known(static_cast<std::size_t>(state_.count()), 0);
         known[static_cast<std::size_t>(first)] = 1;
-        for (std::size_t k = 0; k < frontier.size(); ++k)
+        for (std::size_t k = 0; k < frontier.size() && !has_just_landed; ++k)
             for (const PersistentContact& c : state_.bodies.contacts().of(frontier[k])) {
                 if (frontier[k] < c.partner.index || c.partner.is_plane() || state_.is_fixed(c.partner.index))
                     out_before_.events.push_back(contact_event(EventKind::release, frontier[k], c.partner));
@@ -228,7 +255,7 @@ private:
                 if (!its) frontier.push_back(c.partner.index);
                 its = 1;
             }
-        if (std::binary_search(landed_.begin(), landed_.end(), first)) {  // at this very moment: it does not
+        if (has_just_landed) {  // at this very moment: it does not
             frontier = landed_;
             std::erase_if(out_before_.events, [](const Event& e) { return e.kind == EventKind::rest; });
         }

@@ -377,12 +377,12 @@ private:
     void commit(const WindowOutcome& outcome)
     {
         auto piece = std::make_shared<WindowPiece>();
-        piece->length = outcome.length;
         piece->near = all_.list;
         piece->wait = wait_;
         piece->wait.hot_windows -= outcome.length / all_.hot;
         piece->landing = course_;
-        const EpochTime end = state_.frame.after(now_, outcome.length);
+        piece->length = outcome.length;
+        piece->end = state_.frame.after(now_, outcome.length);
         std::vector<std::vector<PersistentContact>> carried(part_.size());
         for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
             const WindowContact& c = problem_.contacts[k];
@@ -398,7 +398,8 @@ private:
             const Vec3& before = all_.bodies[at(part_[i])].velocity;
             piece->bodies.push_back(body);
             piece->velocities.push_back(before);
-            Change change{body, all_.flights[at(part_[i])], Windowed{end, m.end_velocity, nullptr, i}, carried[i]};
+            Change change{body, all_.flights[at(part_[i])], Windowed{piece->end, m.end_velocity, nullptr, i},
+                          carried[i]};
             change.flight.start = now_;
             change.flight.velocity = m.velocity;
             change.flight.acceleration =
