@@ -35,7 +35,7 @@ struct LcpOptions {
     int sweeps = 100;  ///< >= 1, of Gauss-Seidel
 };
 
-/// What becomes of a run where the operator meets its bound.
+/// Course of a run in which the operator meets its bound.
 enum class OnCap : std::uint8_t {
     stop,   ///< it ends with Status::unresolved
     accept  ///< these contacts are inelastic, counted, and their energy is named

@@ -159,7 +159,9 @@ private:
 
     Status take_windows(const HeapEvent& event)
     {
-        const EventOutcome windows = heap_windows(state_, event, now_, wide_neighbourhood_);
+        EventOutcome windows = heap_windows(state_, event, now_, wide_neighbourhood_);
+        // Few bodies at one that landed, though not close to it: they take a window, too, for none flies on from here.
+        if (windows.changes.empty()) windows = heap_windows(state_, {event.bodies, true}, now_, wide_neighbourhood_);
         commit(windows);
         for (const Change& change : windows.changes) ledger_.show_flight(state_, change.body);
         schedule_.flights_changed(state_, windows.changes, now_, ledger_.out.counts);

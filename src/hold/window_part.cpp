@@ -145,7 +145,7 @@ private:
         rms_ = mass > 0 ? std::sqrt(square / mass) : 0;
     }
 
-    /// What the window before this one leaves: patience, and a landing that goes on.
+    /// Legacy of the window before this one: patience, and a landing that goes on.
     void remember()
     {
         for (const auto& piece : history_.pieces) {
