@@ -44,7 +44,7 @@ inline constexpr std::array<std::string_view, 2> on_cap_names{"stop", "accept"};
 
 struct ImpactOptions {
     ImpactOperator impact_operator = ImpactOperator::reflections;
-    OnCap on_cap = OnCap::stop;
+    OnCap on_cap = OnCap::accept;
     /// Gap >= 0 [smaller radius] up to which another contact belongs to the instant at which one closes. Unset: 1e-12.
     /// In certified runs the contacts must also close at the same time, as far as double-double can tell.
     std::optional<double> tie;

@@ -131,7 +131,7 @@ private:
             return take_windows(event);
         }
         if (comes_to_rest(outcome_)) return zeno(key);
-        if (is_too_much(outcome_)) return exceed(key);
+        if (is_too_much(outcome_)) return capped("impacts of " + names(key));
         commit(outcome_);
         for (const Change& change : outcome_.changes) ledger_.show_flight(state_, change.body);
         schedule_.flights_changed(state_, outcome_.changes, now_, ledger_.out.counts);
@@ -160,36 +160,12 @@ private:
     Status take_windows(const HeapEvent& event)
     {
         EventOutcome windows = heap_windows(state_, event, now_, wide_neighbourhood_);
-        // Few bodies at one that landed, though not close to it: they take a window, too, for none flies on from here.
-        if (windows.changes.empty()) windows = heap_windows(state_, {event.bodies, true}, now_, wide_neighbourhood_);
+        // All of them rest, and yet they meet: the guard carries them over.
+        if (windows.changes.empty()) windows = guard(state_, event.bodies.front(), now_, neighbourhood_);
         commit(windows);
         for (const Change& change : windows.changes) ledger_.show_flight(state_, change.body);
         schedule_.flights_changed(state_, windows.changes, now_, ledger_.out.counts);
-        if (windows.changes.empty())
-            return stop(Status::unresolved,
-                        "no window of a heap goes on from impacts of " + state_.scene.body_name(event.bodies.front()));
         return limits();
-    }
-
-    /// Carries a body and all near it over one window of the guard.
-    Status take_guard(BodyId body)
-    {
-        if (is_hot_heap(body)) return take_windows({{body}, true});
-        const EventOutcome window = guard(state_, body, now_, neighbourhood_);
-        commit(window);
-        for (const Change& change : window.changes) ledger_.show_flight(state_, change.body);
-        schedule_.flights_changed(state_, window.changes, now_, ledger_.out.counts);
-        return limits();
-    }
-
-    /// Impacts beyond the bound of the operator: in a heap the guard carries on.
-    Status exceed(const Key& key)
-    {
-        const BodyId moving = state_.is_fixed(key.a) && key.b.is_sphere() ? key.b.index : key.a;
-        if (state_.scene.guard.on && state_.scene.rest.policy != RestPolicy::none &&
-            is_in_heap(state_, moving, now_, neighbourhood_))
-            return take_guard(moving);
-        return capped("impacts of " + names(key));
     }
 
     /// Whether a body comes to rest, which ends a run under policy none.
@@ -207,8 +183,8 @@ private:
     Status capped(const std::string& which)
     {
         return stop(Status::unresolved, which +
-                                            " exceed the bound of the impact operator (take \"impact\": "
-                                            "{\"on_cap\": \"accept\"} for inelastic ones, or another operator)");
+                                            " exceed the bound of the impact operator (take another, or "
+                                            "\"impact\": {\"on_cap\": \"accept\"} for inelastic ones)");
     }
     std::string names(const Key& key) const
     {
@@ -228,7 +204,12 @@ private:
             if (state_.scene.rest.policy == RestPolicy::none) return zeno(key);
             if (!state_.scene.guard.on)
                 return stop(Status::unresolved, "impacts of " + names(key) + " accumulate, and the guard is off");
-            return take_guard(body);
+            if (is_hot_heap(body)) return take_windows({{body}, true});
+            const EventOutcome window = guard(state_, body, now_, neighbourhood_);
+            commit(window);
+            for (const Change& change : window.changes) ledger_.show_flight(state_, change.body);
+            schedule_.flights_changed(state_, window.changes, now_, ledger_.out.counts);
+            break;
         }
         return limits();
     }

@@ -145,7 +145,8 @@ TEST_CASE("several heaps in a wide box, whose windows reach into each other, go 
         CAPTURE(seed, out.message);
         REQUIRE(out.status == Status::reached_end);
         CHECK(out.energy_taken.window >= 0);
-        CHECK(paths.lowest_gap(scene, scene.end_time) > -1e-9);
+        // Stepped pieces before the windows leave up to some 1e-6 r (docs/regimes.md).
+        CHECK(paths.lowest_gap(scene, scene.end_time) > -1e-6);
     }
 }
 

@@ -13,9 +13,10 @@ namespace {
 
 /// A ball pinched between two fixed ones is hit a little from the side: elastic, pair by pair, it goes to and fro
 /// between them without end.
-Scene pinched(double end_time)
+Scene pinched(OnCap on_cap)
 {
-    Scene scene = empty_scene(end_time);
+    Scene scene = empty_scene(5);
+    scene.impact.on_cap = on_cap;
     scene.impact.impact_operator = ImpactOperator::sequential;
     add_sphere(scene, 1, {-2, 0, 0});
     add_sphere(scene, 1, {0, 0, 0});
@@ -27,9 +28,9 @@ Scene pinched(double end_time)
 
 }  // namespace
 
-TEST_CASE("a run ends before impacts that the operator cannot carry out", "[on_cap]")
+TEST_CASE("a run ends, if the scene says so, before impacts that the operator cannot carry out", "[on_cap]")
 {
-    const Outcome out = simulate(pinched(5), EventDriven{});
+    const Outcome out = simulate(pinched(OnCap::stop), EventDriven{});
     CHECK(out.status == Status::unresolved);
     CHECK(out.message.find("on_cap") != std::string::npos);
     CHECK(out.counts.impacts == 0);
@@ -37,11 +38,9 @@ TEST_CASE("a run ends before impacts that the operator cannot carry out", "[on_c
     CHECK(out.final[3].velocity == Vec3(0, -1, 0));
 }
 
-TEST_CASE("a scene that accepts them has inelastic ones, counted, with their energy named", "[on_cap]")
+TEST_CASE("where the scene accepts them they are inelastic, counted, with their energy named", "[on_cap]")
 {
-    Scene scene = pinched(5);
-    scene.impact.on_cap = OnCap::accept;
-    const Outcome out = simulate(scene, EventDriven{});
+    const Outcome out = simulate(pinched(OnCap::accept), EventDriven{});
     CHECK(out.status == Status::reached_end);
     CHECK(out.counts.capped == 1);
     CHECK(out.energy_taken.capped > 0);
@@ -54,7 +53,7 @@ TEST_CASE("a scene that accepts them has inelastic ones, counted, with their ene
 TEST_CASE("a run whose declared contacts exceed the operator's bound ends at its start, with nothing carried out",
           "[on_cap]")
 {
-    Scene scene = pinched(5);
+    Scene scene = pinched(OnCap::stop);
     // It touches the pinched ball now, from the same side.
     scene.spheres[3].position = {-0.5, std::sqrt(4 - 0.25), 0};
     const Outcome out = simulate(scene, EventDriven{});
