@@ -35,7 +35,7 @@ struct LcpOptions {
     int sweeps = 100;  ///< >= 1, of Gauss-Seidel
 };
 
-/// What becomes of a run where the operator meets its bound.
+/// Course of a run in which the operator meets its bound.
 enum class OnCap : std::uint8_t {
     stop,   ///< it ends with Status::unresolved
     accept  ///< these contacts are inelastic, counted, and their energy is named
@@ -44,7 +44,7 @@ inline constexpr std::array<std::string_view, 2> on_cap_names{"stop", "accept"};
 
 struct ImpactOptions {
     ImpactOperator impact_operator = ImpactOperator::reflections;
-    OnCap on_cap = OnCap::stop;
+    OnCap on_cap = OnCap::accept;
     /// Gap >= 0 [smaller radius] up to which another contact belongs to the instant at which one closes. Unset: 1e-12.
     /// In certified runs the contacts must also close at the same time, as far as double-double can tell.
     std::optional<double> tie;
@@ -69,8 +69,13 @@ struct RestOptions {
 };
 
 /// Discrete method that takes a jammed component over for one window.
-enum class GuardFallback : std::uint8_t { moreau, velocity, pbd };
-inline constexpr std::array<std::string_view, 3> guard_fallback_names{"moreau", "velocity", "pbd"};
+enum class GuardFallback : std::uint8_t {
+    moreau,
+    velocity,
+    pbd,
+    windows  ///< of heaps, until they rest (docs/windows.md); what is no heap as moreau
+};
+inline constexpr std::array<std::string_view, 4> guard_fallback_names{"moreau", "velocity", "pbd", "windows"};
 
 /// Options of the guard: a discrete method takes over connected bodies whose impacts, some of them inelastic,
 /// accumulate.

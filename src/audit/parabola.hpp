@@ -25,7 +25,7 @@ struct Pull {
     Vec3 acceleration = Vec3::Zero();  ///< without drag [length/time^2]
     double drag = 0;                   ///< k >= 0 of dv/dt = acceleration - k v [1/time]
 
-    /// What `duration` does to a flight, of either sign; without drag that is {1, t, t^2/2}.
+    /// Effect of `duration` on a flight, of either sign; without drag that is {1, t, t^2/2}.
     Damping<double> over(double duration) const;
     /// The duration in which a flight has that `way` of `Damping`; infinite if it never has.
     double duration_of(double way) const;
@@ -52,7 +52,7 @@ struct Parabola {
 /// \param time_error bound on the error of their times [time]
 std::optional<Parabola> fitted(std::span<const Sighting> sightings, const Pull& pull, double time_error);
 
-/// What three sightings say of the bend of a flight.
+/// The bend of a flight, as three sightings have it.
 enum class Bend : std::uint8_t {
     hidden,   ///< errors are as large as what the pull bends
     shown,    ///< not on a straight line

@@ -44,7 +44,7 @@ std::string impact_words(const Scene& scene)
         if (impact.lcp.solver == LcpSolver::gauss_seidel) text += fmt::format(", {} sweeps", impact.lcp.sweeps);
         text += ")";
     }
-    if (impact.on_cap == OnCap::accept) text += ", inelastic beyond its bound";
+    if (impact.on_cap == OnCap::stop) text += ", nothing beyond its bound";
     return text + (impact.tie ? fmt::format(", tie {:.3g} r", *impact.tie)
                               : fmt::format(", tie {:.3g} r, 0 in certified runs", default_tie));
 }

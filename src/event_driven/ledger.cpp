@@ -80,9 +80,11 @@ void Ledger::record(const State& state, const EpochTime& now, Event event)
 void Ledger::note_motion(const State& state, BodyId body, const Motion& next, const EpochTime& now)
 {
     std::optional<double>& rest = out.rest_times[static_cast<std::size_t>(body)];
-    if (!is_held(kind_of(next)))
+    const auto* window = std::get_if<Windowed>(&next);  // that of a heap is no rest
+    const bool was_held = is_held(state.bodies.kind(body)) && !state.bodies.is_in_heap_window(body);
+    if (!is_held(kind_of(next)) || (window && window->piece))
         rest.reset();
-    else if (!is_held(state.bodies.kind(body)))
+    else if (!was_held)
         rest = state.frame.seconds(now);
 }
 

@@ -96,11 +96,11 @@ private:
         ends_at_start_ = std::any_of(components.begin(), components.end(),
                                      [this](const EventOutcome& component) { return is_too_much(component); });
         for (const EventOutcome& component : components)
-            if (component.events.empty()) commit(component);
+            if (component.events.empty() && !is_too_much(component)) commit(component);
         for (BodyId i = 0; i < state_.count(); ++i) ledger_.show_flight(state_, i);
         // Components with impacts have them after that, from flights that the observer has seen.
         for (const EventOutcome& component : components) {
-            if (component.events.empty()) continue;
+            if (component.events.empty() || is_too_much(component)) continue;
             commit(component);
             for (const Change& change : component.changes) ledger_.show_flight(state_, change.body);
         }
@@ -159,7 +159,9 @@ private:
 
     Status take_windows(const HeapEvent& event)
     {
-        const EventOutcome windows = heap_windows(state_, event, now_, wide_neighbourhood_);
+        EventOutcome windows = heap_windows(state_, event, now_, wide_neighbourhood_);
+        // All of them rest, and yet they meet: the guard carries them over.
+        if (windows.changes.empty()) windows = guard(state_, event.bodies.front(), now_, neighbourhood_);
         commit(windows);
         for (const Change& change : windows.changes) ledger_.show_flight(state_, change.body);
         schedule_.flights_changed(state_, windows.changes, now_, ledger_.out.counts);
@@ -181,8 +183,8 @@ private:
     Status capped(const std::string& which)
     {
         return stop(Status::unresolved, which +
-                                            " exceed the bound of the impact operator (take \"impact\": "
-                                            "{\"on_cap\": \"accept\"} for inelastic ones, or another operator)");
+                                            " exceed the bound of the impact operator (take another, or "
+                                            "\"impact\": {\"on_cap\": \"accept\"} for inelastic ones)");
     }
     std::string names(const Key& key) const
     {

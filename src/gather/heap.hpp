@@ -16,7 +16,7 @@ bool is_in_heap(const State& state, BodyId body, const EpochTime& now, const Nei
 inline bool has_windows(const State& state)
 {
     return state.loses_energy && !(state.drag > 0) && state.scene.guard.on &&
-           state.scene.guard.fallback == GuardFallback::moreau && state.scene.rest.policy == RestPolicy::contact &&
+           state.scene.guard.fallback == GuardFallback::windows && state.scene.rest.policy == RestPolicy::contact &&
            state.bodies.accelerations().has_gravity();
 }
 

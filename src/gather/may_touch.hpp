@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// What is near a body, as the schedule of the run knows it.
+/// Surroundings of a body, as the schedule of the run knows it.
 class Neighbourhood {
 public:
     /// Every sphere that may touch this one now; valid until the next call.

@@ -17,6 +17,19 @@ namespace carom {
 
 namespace {
 
+bool is_discrete(GuardFallback fallback)
+{
+    switch (fallback) {
+        case GuardFallback::velocity:
+        case GuardFallback::pbd:
+            return true;
+        case GuardFallback::moreau:
+        case GuardFallback::windows:
+            break;
+    }
+    return false;
+}
+
 class Window {
 public:
     Window(const State& state, const EpochTime& now, const Neighbourhood& neighbourhood)
@@ -33,8 +46,7 @@ public:
     EventOutcome go(BodyId body)
     {
         collect(body);
-        const std::vector<BodyState> end =
-            state_.scene.guard.fallback == GuardFallback::moreau ? moreau_step() : discrete_step();
+        const std::vector<BodyState> end = is_discrete(state_.scene.guard.fallback) ? discrete_step() : moreau_step();
         EventOutcome out;
         out.taken.guard = energy_taken(end);
         out.penetration = depth(end);

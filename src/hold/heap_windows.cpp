@@ -33,7 +33,7 @@ public:
     EventOutcome go()
     {
         for (const auto& piece : pieces_) end(*piece);
-        // Each restart wakes bodies, or asks for a longer list.
+        // Each restart wakes bodies, ends windows of others, or asks for a longer list.
         while (!attempt()) {
         }
         const auto by_body = [](const Change& x, const Change& y) { return x.body < y.body; };
@@ -49,20 +49,39 @@ private:
         if (state_.is_fixed(body)) return;
         const auto* held = state_.bodies.as<Held>(body);
         if (held && held->rests) return;  // until something wakes it
-        const auto* window = state_.bodies.as<Windowed>(body);
-        if (!window || !window->piece) {
-            if (std::find(seeds_.begin(), seeds_.end(), body) == seeds_.end()) seeds_.push_back(body);
-            return;
-        }
-        if (std::find(pieces_.begin(), pieces_.end(), window->piece) != pieces_.end()) return;
-        pieces_.push_back(window->piece);
-        seeds_.insert(seeds_.end(), window->piece->bodies.begin(), window->piece->bodies.end());
+        if (state_.bodies.is_in_heap_window(body))
+            seed_piece(body);
+        else if (std::find(seeds_.begin(), seeds_.end(), body) == seeds_.end())
+            seeds_.push_back(body);
     }
 
-    bool is_interrupted(const WindowPiece& piece) const
+    /// All bodies of the window that one of them is in: none of them goes on in it alone.
+    /// \returns whether it is one more
+    bool seed_piece(BodyId body)
     {
-        return state_.bodies.as<Windowed>(piece.bodies.front())->end != now_;
+        const std::shared_ptr<const WindowPiece>& piece = state_.bodies.as<Windowed>(body)->piece;
+        if (std::find(pieces_.begin(), pieces_.end(), piece) != pieces_.end()) return false;
+        pieces_.push_back(piece);
+        seeds_.insert(seeds_.end(), piece->bodies.begin(), piece->bodies.end());
+        return true;
     }
+
+    /// Ends the windows of these bodies that go on.
+    /// \returns whether there are any
+    bool end_others(const NearPairs& list, const std::vector<int>& part)
+    {
+        bool some = false;
+        for (const int i : part) {
+            const BodyId body = list.bodies[at(i)];
+            if (!state_.bodies.is_in_heap_window(body) || !seed_piece(body)) continue;
+            std::sort(seeds_.begin(), seeds_.end());
+            end(*pieces_.back());
+            some = true;
+        }
+        return some;
+    }
+
+    bool is_interrupted(const WindowPiece& piece) const { return piece.end != now_; }
 
     /// Ends a window: the books have what it takes in all of its length; a landing that is over rests.
     void end(const WindowPiece& piece)
@@ -244,6 +263,13 @@ private:
             part.is_concerned =
                 part.is_concerned || std::binary_search(seeds_.begin(), seeds_.end(), bodies.list->bodies[i]);
             part.is_at_rest = part.is_at_rest || near_rest[i];
+        }
+        bool others_end = false;
+        for (const auto& [first, part] : parts)
+            others_end = (part.is_concerned && end_others(*bodies.list, part.bodies)) || others_end;
+        if (others_end) {
+            fresh_ = true;
+            return false;
         }
         for (const auto& [first, part] : parts) {
             if (!part.is_concerned) continue;

@@ -147,7 +147,7 @@ private:
         rms_ = mass > 0 ? std::sqrt(square / mass) : 0;
     }
 
-    /// What the window before this one leaves: patience, and a landing that goes on.
+    /// Legacy of the window before this one: patience, and a landing that goes on.
     void remember()
     {
         for (const auto& piece : history_.pieces) {
@@ -386,7 +386,6 @@ private:
     PartOutcome commit(const WindowOutcome& outcome)
     {
         auto piece = std::make_shared<WindowPiece>();
-        piece->length = outcome.length;
         piece->near = all_.list;
         piece->wait = wait_;
         piece->wait.hot_windows -= outcome.length / all_.hot;
@@ -395,7 +394,8 @@ private:
         for (const auto& carrier : *history_.carriers)
             if (std::any_of(loads_.begin(), loads_.end(), [&](const Load& l) { return carrier->has(l.body); }))
                 piece->carriers.push_back(carrier);
-        const EpochTime end = state_.frame.after(now_, outcome.length);
+        piece->length = outcome.length;
+        piece->end = state_.frame.after(now_, outcome.length);
         std::vector<std::vector<PersistentContact>> carried(part_.size());
         for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
             const WindowContact& c = problem_.contacts[k];
@@ -411,7 +411,8 @@ private:
             const Vec3& before = all_.bodies[at(part_[i])].velocity;
             piece->bodies.push_back(body);
             piece->velocities.push_back(before);
-            Change change{body, all_.flights[at(part_[i])], Windowed{end, m.end_velocity, nullptr, i}, carried[i]};
+            Change change{body, all_.flights[at(part_[i])], Windowed{piece->end, m.end_velocity, nullptr, i},
+                          carried[i]};
             change.flight.start = now_;
             change.flight.velocity = m.velocity;
             change.flight.acceleration =

@@ -6,6 +6,7 @@
 #include "projection/project.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carom {
 
@@ -21,7 +22,7 @@ Projection nearest(const ProjectionProblem& problem)
     steps.take_once(step);
     std::vector<double> multipliers = steps.impulses();
     for (std::size_t i = 0; i < multipliers.size(); ++i)
-        if (!(multipliers[i] >= 0) || steps.closes(static_cast<int>(i))) return out;
+        if (!(multipliers[i] >= 0) || !std::isfinite(multipliers[i]) || steps.closes(static_cast<int>(i))) return out;
     out.multipliers = std::move(multipliers);
     out.point = steps.vectors();
     return out;

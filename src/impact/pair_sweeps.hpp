@@ -24,7 +24,7 @@ struct PairSweeps {
 bool sweep_pairs(const ContactProblem& cluster, std::span<const int> contacts, std::span<const double> inverse_masses,
                  PairSweeps& state);
 
-/// Where impulses of inelastic contacts go on for ever they come to where all of those that are `hit` are closed.
+/// The limit of inelastic contacts whose impulses go on for ever: all of those that are `hit` are closed.
 /// Closes them, if each of them pushes then and nothing closes. \returns whether that is so
 bool close_for_good(const ContactProblem& cluster, std::span<const int> contacts,
                     std::span<const double> inverse_masses, const std::vector<char>& hit, PairSweeps& state);

@@ -96,8 +96,9 @@ std::span<const Step> ExactSteps::last_period() const
     return {};
 }
 
-/// What must be positive for the period to be what comes, by step: of contacts that are open and of those that close
-/// how far they are, impulses, how far idle ones are open at gain 1. \param rates before it, after it on return
+/// Margins, by step, that must be positive for the period to be what comes: of contacts that are open and of those
+/// that close how far they are, impulses, how far idle ones are open at gain 1. \param rates before it, after it on
+/// return
 Numbers ExactSteps::margins(const Period& period, Numbers& rates) const
 {
     Numbers out;

@@ -56,7 +56,7 @@ Json impact_json(const ImpactOptions& impact)
 {
     Json json = {{"operator", name_of(impact.impact_operator, impact_operator_names)}};
     put(json, "tie", impact.tie);
-    if (impact.on_cap != OnCap::stop) json["on_cap"] = name_of(impact.on_cap, on_cap_names);
+    if (impact.on_cap != OnCap::accept) json["on_cap"] = name_of(impact.on_cap, on_cap_names);
     if (impact.impact_operator != ImpactOperator::lcp) return json;
     json["law"] = name_of(impact.lcp.law, lcp_law_names);
     json["solver"] = name_of(impact.lcp.solver, lcp_solver_names);

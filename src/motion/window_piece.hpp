@@ -68,6 +68,7 @@ struct WindowPiece {
     std::vector<BodyId> bodies;    ///< ascending
     std::vector<Vec3> velocities;  ///< by body, before the window [length/time]
     double length = 0;             ///< [time]
+    EpochTime end;                 ///< that it had as it began
     double hot_fastest = 0;        ///< fastest body in it [length/time]
     double taken = 0;              ///< energy that the books have for it, if it is not interrupted [energy]
     std::shared_ptr<const NearPairs> near;

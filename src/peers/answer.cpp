@@ -2,8 +2,11 @@
 
 #include "core/text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
 #include <optional>
 
 namespace carom::peers {
@@ -26,7 +29,8 @@ std::optional<double> take_last_number(std::string_view& line)
     const std::string_view field = comma == std::string_view::npos ? line : line.substr(comma + 1);
     double value = 0;
     const auto end = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (field.empty() || end.ec != std::errc() || end.ptr != field.data() + field.size()) return {};
+    if (field.empty() || end.ec != std::errc() || end.ptr != field.data() + field.size() || !std::isfinite(value))
+        return {};
     line.remove_suffix(line.size() - (comma == std::string_view::npos ? 0 : comma));
     return value;
 }

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <utility>
 
 #include <fcntl.h>
@@ -42,7 +43,7 @@ bool ends_answer(const std::string& text)
     ::_exit(EXIT_FAILURE);
 }
 
-/// What may be written now, without a wait. False if nobody reads any more.
+/// A write of as much as goes without a wait. \returns false if nobody reads any more
 bool write_some(int to, const std::string& text, std::size_t& written)
 {
     const ssize_t n = ::write(to, text.data() + written, text.size() - written);
@@ -50,7 +51,7 @@ bool write_some(int to, const std::string& text, std::size_t& written)
     return n > 0 || errno == EAGAIN || errno == EINTR;
 }
 
-/// What has come, at most a pipeful. False at its end.
+/// Text that has come, at most a pipeful. False at its end.
 bool read_some(int from, std::string& text)
 {
     std::array<char, read_at_once> buffer;

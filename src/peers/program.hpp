@@ -2,6 +2,7 @@
 /// A program that answers requests on its stdin by text on its stdout.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>

@@ -26,7 +26,7 @@ std::optional<double> first_answer(const tunnel::Throw& t, const PeerRun& run, d
     return {};
 }
 
-/// What the engine says of itself in a run without a step; empty if it gives no answer, as then throws will tell.
+/// Words of the engine on itself in a run without a step; empty if it gives no answer, as then throws will tell.
 std::string settings_of(const Peer& peer, const std::function<bool()>& keep_going)
 {
     Scene still;

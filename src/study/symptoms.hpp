@@ -1,5 +1,5 @@
 /// \file
-/// What a run of a stress scene shows: evidence, the symptom that it is of, and a sentence.
+/// Symptoms of a run of a stress scene: evidence, the symptom that it is of, and a sentence.
 #pragma once
 
 #include <carom/checks.hpp>
@@ -26,7 +26,7 @@ struct Evidence {
 /// \pre the scene has a StressPart, and the report is one of its checks
 Evidence evidence_of(const Scene& scene, const CheckReport& report, const std::set<CheckType>& left_out);
 
-/// What the evidence shows of who is held to `limit`.
+/// The symptom that the evidence has, of a method that is held to `limit`.
 Symptom diagnose(const Evidence& evidence, double limit);
 
 /// Numbers of a symptom, then its cause where one is known. \param words of the case \pre symptom is not none

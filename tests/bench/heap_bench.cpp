@@ -21,6 +21,7 @@ double cpu()
 Scene scene_of(const bench::Box& box, double restitution, double seconds)
 {
     Scene scene;
+    scene.guard.fallback = GuardFallback::windows;
     scene.gravity = Vec3(0, 0, -bench::gravity);
     scene.end_time = seconds;
     scene.materials.resize(1);

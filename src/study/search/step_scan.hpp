@@ -26,7 +26,7 @@ public:
     std::optional<double> next() const;
     /// The largest step that holds below all that do not; none if there is none.
     std::optional<double> enough() const;
-    /// From the smallest step up.
+    /// Steps in ascending order.
     const std::vector<StepSearch::Try>& tries() const { return tries_; }
 
 private:

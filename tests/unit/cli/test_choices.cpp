@@ -94,7 +94,7 @@ TEST_CASE("a run's responses are the scene's unless its run section or the comma
     CHECK_THROWS_AS(with_response(scene, {{"guard", "maybe"}}, "ball.json"), UsageError);
     scene.run = {{"guard", true}};
     CHECK_THROWS_WITH(with_response(scene, {}, "ball.json"),
-                      Contains("ball.json: /run/guard: unknown word \"true\" (take: on, off, moreau, velocity, pbd)"));
+                      Contains("ball.json: /run/guard: unknown word \"true\" (take: on, off, moreau, velocity, pbd, windows)"));
 }
 
 TEST_CASE("responses are told in words with every default filled in", "[choices]")

@@ -312,8 +312,12 @@ TEST_CASE("run and explain say how several contacts, rest and accumulating impac
                              Contains("guard           off"));
     args.push_back("--json");
     const json said = json::parse(carom_tool(args).out);
-    CHECK(said["impact"] ==
-          json{{"operator", "lcp"}, {"tie", nullptr}, {"law", "poisson"}, {"solver", "exact"}, {"sweeps", 100}});
+    CHECK(said["impact"] == json{{"operator", "lcp"},
+                                 {"tie", nullptr},
+                                 {"on_cap", "accept"},
+                                 {"law", "poisson"},
+                                 {"solver", "exact"},
+                                 {"sweeps", 100}});
     CHECK(said["rest"]["policy"] == "contact");
     CHECK(said["rest"]["numeric_step"] == 0.125);
     CHECK(said["guard"] == json{{"on", false}, {"impacts", 100}, {"window", 0.125}, {"fallback", "moreau"}});

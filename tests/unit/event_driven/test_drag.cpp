@@ -134,6 +134,19 @@ TEST_CASE("bounces on a floor go on to rounding under drag, and end where those 
     }
 }
 
+TEST_CASE("bounces that take of the tangential speed take all of it by the time they end under drag", "[drag]")
+{
+    Scene scene = dropped(0.5, 0.4, 0.55, 4);
+    scene.materials[0].tangential = 0.9;
+    const Outcome out = simulate(scene, EventDriven{});
+    REQUIRE(out.status == Status::reached_end);
+    REQUIRE(out.rest_times[0]);
+    CHECK(out.final[0].velocity.isZero(0));
+    CHECK(out.final[0].mode == Mode::resting);
+    // Below e^n of the first speed bounces are rounding; 0.9^n of 0.36 m/s would be left after some 30.
+    CHECK(out.counts.impacts < 60);
+}
+
 TEST_CASE("a ball that bounces on a fixed one under drag comes to rest as 50 digits have it", "[drag]")
 {
     const double k = 0.8, e = 0.7;

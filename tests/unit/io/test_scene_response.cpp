@@ -82,10 +82,10 @@ TEST_CASE("an impact operator is a word or an object with options, and survives 
         CHECK(s.impact.lcp.sweeps == 12);
     }
     CHECK_FALSE(reread(read("")).impact.tie);
-    CHECK(read("").impact.on_cap == OnCap::stop);
-    const Scene accepting = read(R"("impact": {"on_cap": "accept"})");
-    CHECK(accepting.impact.on_cap == OnCap::accept);
-    CHECK(reread(accepting).impact.on_cap == OnCap::accept);
+    CHECK(read("").impact.on_cap == OnCap::accept);
+    const Scene stopping = read(R"("impact": {"on_cap": "stop"})");
+    CHECK(stopping.impact.on_cap == OnCap::stop);
+    CHECK(reread(stopping).impact.on_cap == OnCap::stop);
 }
 
 TEST_CASE("the guard is on, off, or an object with options, and survives being written", "[io]")
@@ -144,7 +144,7 @@ TEST_CASE("what is wrong with responses is answered with place and cure", "[io]"
     CHECK_THAT(problem_with(R"("guard": {"window": 0})"), StartsWith("s.json: /guard/window: must be > 0, is 0"));
     CHECK_THAT(problem_with(R"("guard": {"impacts": 0})"), StartsWith("s.json: /guard/impacts: must be an integer"));
     CHECK_THAT(problem_with(R"("guard": {"fallback": "naive"})"),
-               StartsWith("s.json: /guard/fallback: \"naive\": unknown (take: moreau, velocity, pbd)"));
+               StartsWith("s.json: /guard/fallback: \"naive\": unknown (take: moreau, velocity, pbd, windows)"));
     CHECK_THAT(problem_with(R"("rest": {"policy": "micron"})"),
                StartsWith("s.json: /rest/policy: \"micron\": unknown (did you mean \"micro\"?)"));
 }
