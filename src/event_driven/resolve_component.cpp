@@ -2,7 +2,7 @@
 
 #include "contact/contact_problem.hpp"
 #include "event_driven/tolerances.hpp"
-#include "hold/heap_windows.hpp"
+#include "heap/heap_windows.hpp"
 #include "hold/hold_component.hpp"
 #include "hold/rest_policy.hpp"
 #include "impact/resolve_cluster.hpp"

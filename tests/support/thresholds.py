@@ -52,6 +52,7 @@ ROOMS = {
     "motion": STAYS,
     "gather": STAYS,
     "hold": STAYS,
+    "heap": STAYS,
     "predict": STAYS,
     "event_driven": STAYS,
     "reference": STAYS,

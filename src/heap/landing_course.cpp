@@ -1,4 +1,4 @@
-#include "hold/landing_course.hpp"
+#include "heap/landing_course.hpp"
 
 #include "window/contact_geometry.hpp"
 

@@ -1,4 +1,4 @@
-#include "hold/resting_part.hpp"
+#include "heap/resting_part.hpp"
 
 #include "gather/component.hpp"
 #include "window/tolerances.hpp"

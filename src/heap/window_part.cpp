@@ -1,9 +1,10 @@
-#include "hold/window_part.hpp"
+#include "heap/window_part.hpp"
 
 #include "gather/tolerances.hpp"
-#include "hold/landing_course.hpp"
-#include "hold/resting_part.hpp"
-#include "hold/tolerances.hpp"
+#include "heap/landing_course.hpp"
+#include "heap/resting_part.hpp"
+#include "heap/tolerances.hpp"
+#include "heap/window_past.hpp"
 #include "window/contact_geometry.hpp"
 #include "window/window.hpp"
 
@@ -36,9 +37,13 @@ public:
     PartOutcome take()
     {
         enter();
-        find_forces();
-        find_heat();
-        remember();
+        const std::vector<BodyId> ids = ids_of_problem();
+        forces_ = forces_before(state_, problem_, ids, history_);
+        heat_ = heat_of(problem_, forces_, part_.size());
+        const WindowPast past = past_of(std::span(ids).first(part_.size()), history_);
+        has_past_ = past.exists;
+        wait_ = past.wait;
+        course_ = past.course;
         if (course_) return follow_course();
         options_ = hot();
         if (is_calm()) {
@@ -56,8 +61,9 @@ public:
             }
             options_.solver = WindowSolver::exact;
             const double longest = part_.size() <= quick_landing ? longest_calm_of_few : longest_calm;
-            options_.length = std::clamp(calm_way * all_.list->smallest / std::max(fastest_, least_calm_speed()),
-                                         shortest_calm * all_.hot, longest * all_.hot);
+            options_.length =
+                std::clamp(calm_way * all_.list->smallest / std::max(heat_.fastest_held, least_calm_speed()),
+                           shortest_calm * all_.hot, longest * all_.hot);
         }
         return take_ordinary();
     }
@@ -97,91 +103,19 @@ private:
         }
     }
 
-    /// Forces of the last windows, and of what is woken.
-    void find_forces()
-    {
-        std::vector<ContactForce> forces;
-        for (const auto& piece : history_.pieces)
-            forces.insert(forces.end(), piece->forces.begin(), piece->forces.end());
-        for (const BodyId body : history_.woken)
-            for (const PersistentContact& c : state_.bodies.contacts().of(body))
-                if (c.partner.is_plane() || body < c.partner.index || state_.is_fixed(c.partner.index))
-                    forces.push_back({body, c.partner, c.force});
-        const auto comes_first = [](const ContactForce& x, const ContactForce& y) {
-            return x.a != y.a ? x.a < y.a : x.b < y.b;
-        };
-        if (history_.pieces.size() + history_.woken.size() > 1) std::sort(forces.begin(), forces.end(), comes_first);
-        forces_.assign(problem_.contacts.size(), 0);
-        std::size_t at_force = 0;
-        for (std::size_t k = 0; k < forces_.size(); ++k) {
-            const WindowContact& c = problem_.contacts[k];
-            const ContactForce wanted{id(local_[at(c.a)]), contact_partner(c), 0};
-            while (at_force < forces.size() && comes_first(forces[at_force], wanted)) ++at_force;
-            if (at_force < forces.size() && !comes_first(wanted, forces[at_force])) forces_[k] = forces[at_force].force;
-        }
-    }
-
     Partner contact_partner(const WindowContact& c) const
     {
         return c.b.is_plane() ? c.b : Partner::sphere(id(local_[at(c.b.index)]));
     }
 
-    /// Speeds of bodies that others hold, or nearly; those that lean on planes alone may glide for ever.
-    void find_heat()
-    {
-        std::vector<char> held(problem_.bodies.size(), 1);
-        for (std::size_t k = 0; k < forces_.size(); ++k)
-            if (problem_.contacts[k].b.is_plane() && forces_[k] > 0) held[at(problem_.contacts[k].a)] = 0;
-        for (std::size_t k = 0; k < forces_.size(); ++k)
-            if (problem_.contacts[k].b.is_sphere() && forces_[k] > 0)
-                held[at(problem_.contacts[k].a)] = held[at(problem_.contacts[k].b.index)] = 1;
-        double square = 0, mass = 0;
-        for (std::size_t i = 0; i < part_.size(); ++i) {
-            const WindowBody& body = problem_.bodies[i];
-            hot_fastest_ = std::max(hot_fastest_, body.velocity.norm());
-            if (!held[i]) continue;
-            square += body.velocity.squaredNorm() / body.inverse_mass;
-            mass += 1 / body.inverse_mass;
-            fastest_ = std::max(fastest_, body.velocity.norm());
-        }
-        rms_ = mass > 0 ? std::sqrt(square / mass) : 0;
-    }
-
-    /// Legacy of the window before this one: patience, and a landing that goes on.
-    void remember()
-    {
-        for (const auto& piece : history_.pieces) {
-            if (!std::binary_search(piece->bodies.begin(), piece->bodies.end(), id(part_.front()))) continue;
-            wait_ = piece->wait;
-            has_past_ = true;
-        }
-        for (const BodyId body : history_.woken)
-            if (std::find_if(part_.begin(), part_.end(), [&](int i) { return id(i) == body; }) != part_.end()) {
-                wait_.after_waking =
-                    std::min(2 * std::max(wait_.after_waking, first_wait_after_waking), longest_wait_after_waking);
-                wait_.hot_windows = wait_.after_waking;
-                break;
-            }
-        for (std::size_t p = 0; p < history_.pieces.size(); ++p) {
-            const WindowPiece& piece = *history_.pieces[p];
-            if (!piece.landing || history_.is_interrupted[p]) continue;
-            if (piece.landing->move + 1 >= piece.landing->course->moves.size()) continue;
-            if (holds_all(piece.landing->course->bodies))
-                course_ = LandingStage{piece.landing->course, piece.landing->move + 1};
-        }
-    }
-
-    bool holds_all(const std::vector<BodyId>& bodies) const
-    {
-        std::size_t count = 0;
-        for (const int i : part_) count += std::binary_search(bodies.begin(), bodies.end(), id(i));
-        return count == bodies.size();
-    }
-
     double calm_speed() const { return std::sqrt(2 * gravity_ * calm_rise * all_.list->smallest); }
     double least_calm_speed() const { return least_calm_part * calm_speed(); }
-    bool is_calm() const { return has_past_ && rms_ > 0 && rms_ < calm_speed() / 4 && fastest_ < 4 * calm_speed(); }
-    bool may_land() const { return wait_.hot_windows <= 0 || rms_ < slower_than_failed * wait_.failed_speed; }
+    bool is_calm() const
+    {
+        return has_past_ && heat_.rms_held > 0 && heat_.rms_held < calm_speed() / 4 &&
+               heat_.fastest_held < 4 * calm_speed();
+    }
+    bool may_land() const { return wait_.hot_windows <= 0 || heat_.rms_held < slower_than_failed * wait_.failed_speed; }
 
     WindowOptions hot() const
     {
@@ -190,7 +124,7 @@ private:
         out.closing_speed = gravity_ * all_.hot;
         out.speed_tolerance = speed_left * gravity_ * all_.hot;
         out.margin = margin_of_radius * all_.list->smallest *
-                     std::clamp(hot_fastest_ / (margin_speed * calm_speed()), least_margin, 1.0);
+                     std::clamp(heat_.fastest / (margin_speed * calm_speed()), least_margin, 1.0);
         return out;
     }
 
@@ -207,7 +141,7 @@ private:
         const std::vector<BodyId> ids = ids_of_problem();
         const auto course = find_course(problem_, ids, options);
         if (!course) {
-            wait_.failed_speed = rms_;
+            wait_.failed_speed = heat_.rms_held;
             wait_.after_failure =
                 std::clamp(2 * wait_.after_failure, first_wait_between_landings, longest_wait_between_landings);
             wait_.hot_windows = part_.size() <= quick_landing ? 0 : wait_.after_failure;
@@ -276,7 +210,7 @@ private:
     PartOutcome give_up_landing()
     {
         course_.reset();
-        wait_.failed_speed = rms_;
+        wait_.failed_speed = heat_.rms_held;
         wait_.hot_windows = first_wait_between_landings;
         options_ = hot();
         return take_ordinary();
@@ -441,7 +375,7 @@ private:
     std::vector<int> number_;     ///< by number in the list: in the problem, or -1
     std::vector<int> local_;      ///< by number in the problem: in the list
     std::vector<double> forces_;  ///< by contact: where to begin
-    double fastest_ = 0, rms_ = 0, hot_fastest_ = 0;
+    Heat heat_;
     bool has_past_ = false;
     LandingWait wait_;
     std::optional<LandingStage> course_;
@@ -451,31 +385,10 @@ private:
 
 }  // namespace
 
-double hot_length(const State& state)
-{
-    return window_steps * state.rest.numeric_step;
-}
-
-bool WindowBodies::is_close(std::size_t pair) const
-{
-    const NearPair& p = list->pairs[pair];
-    const WindowBody &a = bodies[at(p.a)], &b = bodies[at(p.b.index)];
-    const double gap = geometry(a, b).gap, speed = (a.velocity - b.velocity).norm();
-    const double fall = hot * a.acceleration.norm();
-    return gap < std::max(hot * (speed + fall_of_others * fall), heap_reach * std::min(a.radius, b.radius));
-}
-
 PartOutcome take_window_of_part(const State& state, const EpochTime& now, const WindowBodies& bodies,
                                 const std::vector<int>& part, const WindowHistory& history, EventOutcome& out)
 {
     return PartWindow(state, now, bodies, part, history, out).take();
-}
-
-double energy_taken(const State& state, BodyId body, const BeginAndEnd& velocities, const Vec3& displacement)
-{
-    return ((velocities.before.squaredNorm() - velocities.after.squaredNorm()) / 2 +
-            state.gravity().dot(displacement)) /
-           state.inverse_mass(body);
 }
 
 }  // namespace carom

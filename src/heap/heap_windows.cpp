@@ -1,15 +1,13 @@
-#include "hold/heap_windows.hpp"
+#include "heap/heap_windows.hpp"
 
 #include "gather/component.hpp"
-#include "hold/near_pairs.hpp"
-#include "hold/resting_part.hpp"
-#include "hold/tolerances.hpp"
-#include "hold/window_part.hpp"
+#include "heap/carriers.hpp"
+#include "heap/near_pairs.hpp"
+#include "heap/tolerances.hpp"
+#include "heap/window_part.hpp"
 #include "math/disjoint_sets.hpp"
-#include "motion/height.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 namespace carom {
@@ -24,7 +22,7 @@ std::size_t at(int i)
 class HeapWindows {
 public:
     HeapWindows(const State& state, const HeapEvent& event, const EpochTime& now, const Neighbourhood& wide)
-        : state_(state), event_(event), now_(now), moment_(state, now), wide_(wide)
+        : state_(state), event_(event), now_(now), moment_(state, now), wide_(wide), carriers_(state, moment_)
     {
         for (const BodyId body : event.bodies) seed(body);
         std::sort(seeds_.begin(), seeds_.end());
@@ -87,8 +85,7 @@ private:
     void end(const WindowPiece& piece)
     {
         for (const Load& load : piece.loads) ended_loads_.push_back({load.body, -load.force});
-        for (const auto& part : piece.carriers)
-            if (std::find(carriers_.begin(), carriers_.end(), part) == carriers_.end()) carriers_.push_back(part);
+        carriers_.add(piece.carriers);
         if (is_interrupted(piece)) {
             double taken = 0;
             for (std::size_t k = 0; k < piece.bodies.size(); ++k) {
@@ -153,12 +150,9 @@ private:
         set_forces(std::move(carrying), out_before_);
     }
 
-    static void set_forces(std::vector<ForceChange> changes, EventOutcome& out)
+    std::optional<std::vector<ForceChange>> bear(const std::vector<Load>& further)
     {
-        for (ForceChange& change : changes) {
-            std::erase_if(out.forces, [&](const ForceChange& f) { return f.body == change.body; });
-            out.forces.push_back(std::move(change));
-        }
+        return carriers_.bear(further, [this](BodyId body) { return contacts_at_rest(body); });
     }
 
     /// Persistent contacts of bodies that rest, those that have come to rest now included.
@@ -171,37 +165,6 @@ private:
             for (const Change& c : out_before_.changes)
                 if (c.body == body) return c.contacts;
         return state_.bodies.contacts().of(body);
-    }
-
-    /// Forces of all bodies at rest under further loads; nothing where some part of them would move.
-    std::optional<std::vector<ForceChange>> bear(const std::vector<Load>& further)
-    {
-        const ContactsAtRest contacts_of = [this](BodyId body) { return contacts_at_rest(body); };
-        std::vector<ForceChange> out;
-        std::vector<const RestingPart*> done;
-        for (const Load& load : further) {
-            if (!rests(load.body)) continue;  // fixed, or woken
-            const RestingPart& part = part_of(load.body, contacts_of);
-            if (std::find(done.begin(), done.end(), &part) != done.end()) continue;
-            done.push_back(&part);
-            auto forces = part.is_current(state_, contacts_of) ? part.bear(further, contacts_of) : std::nullopt;
-            if (!forces) {
-                overloaded_ = load.body;
-                return {};
-            }
-            std::move(forces->begin(), forces->end(), std::back_inserter(out));
-        }
-        return out;
-    }
-
-    const RestingPart& part_of(BodyId body, const ContactsAtRest& contacts_of)
-    {
-        std::erase_if(carriers_,
-                      [&](const auto& part) { return part->has(body) && !part->is_current(state_, contacts_of); });
-        for (const auto& part : carriers_)
-            if (part->has(body)) return *part;
-        carriers_.push_back(std::make_shared<const RestingPart>(state_, moment_, body, contacts_of));
-        return *carriers_.back();
     }
 
     Event contact_event(EventKind kind, BodyId a, Partner b)
@@ -228,7 +191,7 @@ private:
         loads_ = ended_loads_;
         if (seeds_.empty()) return settle_loads();
         find_list();
-        WindowBodies bodies = load();
+        WindowBodies bodies = bodies_now(state_, moment_, list_, [this](BodyId body) { return stands_still(body); });
         DisjointSets sets(bodies.list->bodies.size());
         std::vector<char> near_rest(bodies.list->bodies.size(), 0);
         for (std::size_t k = 0; k < bodies.list->pairs.size(); ++k) {
@@ -245,7 +208,7 @@ private:
         for (const auto& piece : pieces_)
             if (piece->landing && !is_interrupted(*piece)) join(sets, bodies, piece->landing->course->bodies);
         WindowHistory past = history();
-        past.carriers = &carriers_;
+        past.carriers = &carriers_.parts();
         past.bear = [this](const std::vector<Load>& further) {
             std::vector<Load> all = loads_;
             all.insert(all.end(), further.begin(), further.end());
@@ -299,26 +262,11 @@ private:
         if (loads_.empty()) return true;
         auto forces = bear(loads_);
         if (!forces) {
-            wake(overloaded_);
+            wake(carriers_.overloaded());
             return false;
         }
         set_forces(std::move(*forces), out_);
         return true;
-    }
-
-    /// Bodies of a landing belong together also where they are apart on the way. (A body that has landed is no more in
-    /// it.)
-    static void join(DisjointSets& sets, const WindowBodies& all, const std::vector<BodyId>& bodies)
-    {
-        std::optional<std::size_t> first;
-        for (const BodyId body : bodies) {
-            const auto found = std::lower_bound(all.list->bodies.begin(), all.list->bodies.end(), body);
-            if (found == all.list->bodies.end() || *found != body) continue;
-            const auto number = static_cast<std::size_t>(found - all.list->bodies.begin());
-            if (all.still[number]) continue;
-            if (first) sets.join(*first, number);
-            first = number;
-        }
     }
 
     WindowHistory history() const
@@ -418,38 +366,6 @@ private:
         return farthest + way <= list.skin / 2;
     }
 
-    WindowBodies load()
-    {
-        WindowBodies out;
-        out.list = list_;
-        const Place centre = moment_.flight(list_->bodies.front()).place;
-        for (std::size_t i = 0; i < list_->bodies.size(); ++i) {
-            const BodyId body = list_->bodies[i];
-            const bool still = stands_still(body);
-            out.still.push_back(still);
-            out.flights.push_back(moment_.flight(body));
-            if (still) out.flights.back().velocity = Vec3::Zero();
-            WindowBody each;
-            each.place = separation(state_.frame, out.flights.back().place, centre);
-            each.velocity = out.flights.back().velocity;
-            each.acceleration = still ? Vec3(Vec3::Zero()) : state_.gravity();
-            each.inverse_mass = still ? 0 : state_.inverse_mass(body);
-            each.radius = state_.radius(body);
-            out.bodies.push_back(each);
-            out.moved.push_back(separation(state_.frame, out.flights.back().place, list_->places[i]).norm());
-        }
-        for (int p = 0; p < state_.planes(); ++p) {
-            const Plane& plane = state_.plane(p);
-            WindowPlane each;
-            each.normal = plane.normal;
-            each.offset = -signed_height(state_.frame, plane, centre).high;
-            if (plane.thickness) each.half_thickness = *plane.thickness / 2;
-            out.planes.push_back(each);
-        }
-        out.hot = hot_length(state_);
-        return out;
-    }
-
     const State& state_;
     const HeapEvent& event_;
     const EpochTime now_;
@@ -461,11 +377,10 @@ private:
     std::shared_ptr<const NearPairs> list_;
     std::vector<Load> ended_loads_;  ///< of windows that ended, negative
     std::vector<Load> loads_;        ///< further loads of this event
-    std::vector<std::shared_ptr<const RestingPart>> carriers_;
-    BodyId overloaded_ = no_body;  ///< at rest, of the last part that did not bear its loads
-    bool fresh_ = false;           ///< a new list must be made
-    double wanted_skin_ = 0;       ///< [length]
-    EventOutcome out_before_;      ///< of what ended
+    Carriers carriers_;
+    bool fresh_ = false;       ///< a new list must be made
+    double wanted_skin_ = 0;   ///< [length]
+    EventOutcome out_before_;  ///< of what ended
     EventOutcome out_;
 };
 

@@ -1,6 +1,6 @@
-#include "hold/near_pairs.hpp"
+#include "heap/near_pairs.hpp"
 
-#include "hold/tolerances.hpp"
+#include "heap/tolerances.hpp"
 #include "motion/height.hpp"
 
 #include <algorithm>
