@@ -29,7 +29,7 @@ std::vector<stress::Case> read_cases(Session& session)
     }
 }
 
-/// Those of the names given, or all.
+/// Cases of the names given, or all.
 void keep_only(std::vector<stress::Case>& cases, const std::vector<std::string>& only)
 {
     std::vector<std::string> names;

@@ -1,5 +1,5 @@
 /// \file
-/// What a part of a heap knows of the windows before: forces, heat, patience, a landing that goes on.
+/// Knowledge that a part of a heap has of the windows before: forces, heat, patience, a landing that goes on.
 #pragma once
 
 #include "heap/window_part.hpp"

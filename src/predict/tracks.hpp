@@ -50,12 +50,12 @@ public:
     /// then.
     void follow(const State& state, BodyId body, const EpochTime& now);
 
-    /// Those of the bodies `near` that may meet this one, in no particular order. \param room for them, which
+    /// Meetings of the bodies `near` that may meet this one, in no particular order. \param room for them, which
     /// grows where it is too small
     template <bool gravity>
     std::span<Meeting> meetings(BodyId body, double age, std::span<const BodyId> near,
                                 std::vector<Meeting>& room) const;
-    /// Those that may be in reach now: not `are_apart`. \param own the track of the body now
+    /// Bodies that may be in reach now: not `are_apart`. \param own the track of the body now
     std::span<const BodyId> in_reach(const State& state, const Track& own, double age, std::span<const BodyId> near,
                                      std::vector<BodyId>& found) const;
 

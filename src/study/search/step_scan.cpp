@@ -64,7 +64,7 @@ std::optional<double> StepScan::enough() const
 
 std::optional<double> StepScan::gap(double from, int apart) const
 {
-    // Those of the grid whose index is a multiple of `apart`, and the largest of all.
+    // Steps of the grid whose index is a multiple of `apart`, and the largest of all.
     int index = index_below(std::min(fails(), largest_));
     if (index < top_) index = static_cast<int>(std::floor(static_cast<double>(index) / apart)) * apart;
     while (step(index) >= from * (1 - same_step)) {
